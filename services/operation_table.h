@@ -67,6 +67,7 @@ struct OperationRow {
   Value result = {}, error = {};
   bool safe = false;
   bool moves = false;
+  bool held = false;
   Acceptance acceptance = Acceptance::before_handler;
   std::string doc = {};
 };

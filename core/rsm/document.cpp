@@ -56,6 +56,7 @@ Operation read_operation(const Value& json, Fields& parent, Errors& errors) {
   out.error = read_type(fields, "error");
   out.safe = fields.boolean("safe").value_or(false);
   out.moves = fields.boolean("moves").value_or(false);
+  out.held = fields.boolean("held").value_or(false);
   out.doc = fields.text("doc").value_or("");
   fields.close();
   return out;
@@ -181,6 +182,7 @@ Value write_operation(const Operation& operation) {
   out.json("error", operation.error);
   out.flag("safe", operation.safe);
   out.flag("moves", operation.moves);
+  out.flag("held", operation.held);
   out.text("doc", operation.doc);
   return out.done();
 }

@@ -25,6 +25,7 @@ struct Operation {
   bool safe = false;    // invoked when a run faults or is aborted
   std::string doc;
   bool moves = false;  // may set something in the cell in motion; for people, who are asked before a run begins
+  bool held = false;   // called again and again while a person holds a button; for who calls by hand
   bool operator==(const Operation&) const = default;
 };
 

@@ -29,6 +29,7 @@ TEST(ReadService, ReadsWhatIsDeclared) {
   EXPECT_EQ(robot.operations[0].parameters[1].value, Value(1.0));
   EXPECT_TRUE(robot.operations[1].safe);
   EXPECT_TRUE(read_service_text(R"({"operations": [{"name": "f", "moves": true}]})", "").value().operations[0].moves);
+  EXPECT_TRUE(read_service_text(R"({"operations": [{"name": "f", "held": true}]})", "").value().operations[0].held);
   EXPECT_TRUE(robot.events[0].sampled);
   EXPECT_EQ(robot.events[0].rate_hz, 100.0);
   EXPECT_EQ(robot.transitions[0].defer, std::vector<std::string>{"arrive"});
@@ -49,6 +50,7 @@ TEST(WriteService, IsReadBackAsItWas) {
   robot.calls = {{"camera", "grab"}};
   robot.meta = Dict{{"icon", "arm"}};
   robot.operations[0].doc = "moves";
+  robot.operations[0].moves = robot.operations[0].held = true;
   robot.operations[0].parameters[0] = {"pose", "pose", "m", "where to", -1.5, 2.0, std::nullopt};
   EXPECT_EQ(read_service(write_service(robot), "").value(), robot);
   const std::string text = to_json(write_service(robot));
@@ -65,6 +67,7 @@ TEST(ReadService, ListsViolationsOfTheFormat) {
   EXPECT_THAT(codes(R"({"operations": [{"name": ""}]})"), ElementsAre(ErrorCode::name));
   EXPECT_THAT(codes(R"({"operations": [{"name": "o", "result": "float"}]})"), ElementsAre(ErrorCode::type));
   EXPECT_THAT(codes(R"({"operations": [{"name": "o", "safe": 1}]})"), ElementsAre(ErrorCode::type));
+  EXPECT_THAT(codes(R"({"operations": [{"name": "o", "held": "yes"}]})"), ElementsAre(ErrorCode::type));
   EXPECT_THAT(codes(R"({"operations": [{"name": "o", "parameters": [{"name": "p", "max": 1e999}]}]})"),
               ElementsAre(ErrorCode::constant));
   EXPECT_THAT(codes(R"({"calls": [{"service": "s"}]})"), ElementsAre(ErrorCode::missing));
