@@ -44,6 +44,15 @@ Behavior held_by_position(const Behavior& behavior) {
   return held;
 }
 
+Behavior guided(const Behavior& behavior) {
+  Behavior guided = usual_behavior(Mode::gravity_compensation);
+  std::copy_if(behavior.reflexes.begin(), behavior.reflexes.end(), std::back_inserter(guided.reflexes),
+               [](const Reflex& reflex) {
+                 return reflex.signal == Signal::virtual_wall || reflex.signal == Signal::joint_limit;
+               });
+  return guided;
+}
+
 std::string_view name(Mode mode) { return kModes[static_cast<std::size_t>(mode)]; }
 std::string_view name(Signal signal) { return kSignals[static_cast<std::size_t>(signal)]; }
 std::string_view name(Severity severity) { return kSeverities[static_cast<std::size_t>(severity)]; }

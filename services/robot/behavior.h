@@ -73,6 +73,10 @@ Behavior usual_behavior(Mode mode);
 /// meant for an arm that gives way, and those of usual_behavior(Mode::position) take their place.
 Behavior held_by_position(const Behavior& behavior);
 
+/// The behavior of an arm that a hand leads while a button is held, instead of `behavior`: gravity compensation. Of the
+/// reflexes remain those on places, walls and joint limits: what the hand exerts is no collision.
+Behavior guided(const Behavior& behavior);
+
 std::string_view name(Mode mode);
 std::string_view name(Signal signal);
 std::string_view name(Severity severity);

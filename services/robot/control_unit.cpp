@@ -115,11 +115,15 @@ double ControlUnit::limited(double rate) const {
   return std::clamp(rate, -most, most);
 }
 
+/// After an interruption, the button is to be let go of first.
+tl::expected<void, Refusal> ControlUnit::check_let_go() {
+  if (!button_.interruption()) return {};
+  button_.call();
+  return tl::unexpected(*button_.interruption());
+}
+
 tl::expected<void, Refusal> ControlUnit::jog(const JogVelocity& wanted) {
-  if (button_.interruption()) {
-    button_.call();
-    return tl::unexpected(*button_.interruption());
-  }
+  if (auto let_go = check_let_go(); !let_go) return let_go;
   const JogLimits limits = jog_limits(arm_, settings_.planner.acceleration, settings_.braking);
   if (auto fits = check_jog(wanted, limits); !fits) return fits;
   if (behavior_.operational.mode == Mode::gravity_compensation)
@@ -137,7 +141,38 @@ tl::expected<void, Refusal> ControlUnit::jog(const JogVelocity& wanted) {
   return {};
 }
 
+tl::expected<void, Refusal> ControlUnit::guide() {
+  if (auto let_go = check_let_go(); !let_go) return let_go;
+  if (activity_ != Activity::guide) {
+    if (behavior_.operational.mode == Mode::gravity_compensation)
+      return tl::unexpected(Refusal{"behavior", "", "a hand leads the robot without a button in gravity compensation"});
+    if (moving() && activity_ != Activity::settle) return tl::unexpected(Refusal{"busy", "", "the robot is moving"});
+    brake_and_hold();
+    after_guiding_ = std::exchange(behavior_, guided(behavior_));
+    reflexes_.go_on_with(behavior_.reflexes);
+    offset_left_ = kBlendTime;
+    activity_ = Activity::guide;
+  }
+  button_.call();
+  return {};
+}
+
+/// The button was let go of.
+void ControlUnit::settle() {
+  end_guided_behavior();
+  brake_and_hold();
+  overtime_ = 0;
+  activity_ = Activity::settle;
+}
+
+void ControlUnit::end_guided_behavior() {
+  if (!after_guiding_) return;
+  behavior_ = *std::exchange(after_guiding_, std::nullopt);
+  reflexes_.go_on_with(behavior_.reflexes);
+}
+
 void ControlUnit::stop() {
+  end_guided_behavior();
   brake_and_hold();
   outcome_.reset();
   hold_by_position();
@@ -183,6 +218,7 @@ const Joints& ControlUnit::control(const Joints& q, const Joints& dq) {
   } else if (slow_left_ > 0 && (slow_left_ -= kPeriod) <= 0) {
     slow_ = 1;
   }
+  if (activity_ == Activity::guide && !button_.held()) settle();
   Joints torques = law(q, dq);
   button_.pass();
   blend_torques(torques);
@@ -194,15 +230,18 @@ const Joints& ControlUnit::control(const Joints& q, const Joints& dq) {
 void ControlUnit::react(const Incident& incident) {
   if (!incident.reflex || incident.reflex->reaction == Reaction::slow_down) return;
   const Reaction reaction = incident.reflex->reaction;
-  const bool gives_way = behavior_.operational.mode == Mode::gravity_compensation;
+  const bool guides = activity_ == Activity::guide;
+  const bool gives_way = behavior_.operational.mode == Mode::gravity_compensation && !guides;
+  const bool holds = activity_ == Activity::hold || activity_ == Activity::settle;
   if (reaction == Reaction::gravity_compensation) {
+    if (guides) return;  // it gives way already
     interrupt(interruption(incident));
     behavior_.operational.mode = Mode::gravity_compensation;
   } else if (reaction == Reaction::retreat && can_retreat()) {
     if (activity_ == Activity::follow) returning_ = interruption(incident);
     activity_ = Activity::retreat;
     back_left_ = incident.reflex->distance;
-  } else if (activity_ != Activity::hold || gives_way) {
+  } else if (!holds || gives_way) {
     if (reaction == Reaction::retreat && activity_ == Activity::retreat) return;
     interrupt(interruption(incident));
     if (gives_way) hold_by_position();
@@ -211,7 +250,8 @@ void ControlUnit::react(const Incident& incident) {
 
 void ControlUnit::interrupt(const Refusal& why) {
   const bool was_moving = moving();
-  if (activity_ == Activity::jog) button_.interrupt(why);
+  if (activity_ == Activity::jog || activity_ == Activity::guide) button_.interrupt(why);
+  end_guided_behavior();
   const std::optional<Refusal> earlier = returning_;
   brake_and_hold();
   if (was_moving) outcome_.emplace(earlier ? *earlier : why);
@@ -270,6 +310,10 @@ Reference ControlUnit::next_reference(const Joints& q, const Joints& dq) {
   if (activity_ == Activity::jog) return follow_jog(q, dq);
   const Reference reference = brake_.at(brake_time_);
   brake_time_ += kPeriod;
+  if (activity_ == Activity::settle && !braking && stands(dq)) {
+    activity_ = Activity::hold;
+    outcome_.emplace(std::nullopt);
+  }
   return reference;
 }
 
@@ -329,9 +373,14 @@ std::optional<double> ControlUnit::jog_tool_speed() const {
   return std::min(*of_behavior, *tool_speed_limit_);
 }
 
-void ControlUnit::end_jog(const Joints& dq) {
+/// Whether an arm that should stand does, or has been waited for long enough.
+bool ControlUnit::stands(const Joints& dq) {
   overtime_ += kPeriod;
-  if (largest_difference(dq, Joints{}) >= kStanding && overtime_ < kArrivalTimeout) return;
+  return largest_difference(dq, Joints{}) < kStanding || overtime_ >= kArrivalTimeout;
+}
+
+void ControlUnit::end_jog(const Joints& dq) {
+  if (!stands(dq)) return;
   brake_ = Braking(jogging_->place(), Joints{}, settings_.braking);
   activity_ = Activity::hold;
   jogging_.reset();

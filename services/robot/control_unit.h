@@ -50,7 +50,7 @@ class ControlUnit {
  public:
   /// Seconds between two calls of control().
   static constexpr double kPeriod = 0.001;
-  /// Seconds that a velocity of jog() is good for.
+  /// Seconds that a call of jog() or guide() is good for.
   static constexpr double kJogHold = 0.25;
 
   /// Starts holding position at `q` with the usual behavior. Without `keeps_clear` no free path is planned.
@@ -70,8 +70,15 @@ class ControlUnit {
   /// after a refusal, and it keeps no motion up.
   tl::expected<void, Refusal> jog(const JogVelocity& wanted);
 
-  /// Brakes with the largest deceleration and holds position, whatever it did, with held_by_position() of its behavior.
-  /// A motion ends without an outcome.
+  /// Gives way to a hand that leads the arm, with guided() of its behavior, until kJogHold after the last call: a
+  /// person holds a button. Then it brakes with the largest deceleration and holds, with the behavior from before; when
+  /// the arm stands, the motion has ended as one that has reached its goal. Refusals: `behavior` in gravity
+  /// compensation, where nothing would brake it afterwards, `busy` during another motion; and after a reflex has
+  /// interrupted it, or a jog(), as jog().
+  tl::expected<void, Refusal> guide();
+
+  /// Brakes with the largest deceleration and holds position, whatever it did, with held_by_position() of its behavior,
+  /// of one that is guided of that from before. A motion ends without an outcome.
   void stop();
 
   /// Changes the behavior: brakes if it moves by hand, then holds where it is, or gives way. Torques
@@ -103,8 +110,9 @@ class ControlUnit {
   const ArmModel& arm() const { return arm_; }
 
  private:
-  /// hold: brakes, then stands (or, in gravity compensation, gives way); plan: holds, and searches a free path.
-  enum class Activity { hold, plan, follow, retreat, jog };
+  /// hold: brakes, then stands (or, in gravity compensation, gives way); plan: holds, and searches a free path; guide:
+  /// gives way while a button is held; settle: holds after that, and has not stood yet.
+  enum class Activity { hold, plan, follow, retreat, jog, guide, settle };
 
   void react(const Incident& incident);
   void interrupt(const Refusal& why);
@@ -119,6 +127,10 @@ class ControlUnit {
   void check_arrival(const Joints& q, const Joints& dq);
   Reference follow_jog(const Joints& q, const Joints& dq);
   void end_jog(const Joints& dq);
+  bool stands(const Joints& dq);
+  tl::expected<void, Refusal> check_let_go();
+  void settle();
+  void end_guided_behavior();
   void limit_rate();
   double limited(double rate) const;
   std::optional<double> jog_tool_speed() const;
@@ -140,8 +152,9 @@ class ControlUnit {
   std::optional<double> tool_speed_limit_;  // m/s, of the reference
   std::optional<RateLimit> rate_limit_;     // of path_, if the tool's speed is limited
   std::optional<Jogging> jogging_;          // jog
-  HeldButton button_;                       // that jogs
-  double overtime_ = 0;                     // s since the path's end, or since a jog should stand
+  HeldButton button_;                       // that jogs or guides
+  std::optional<Behavior> after_guiding_;   // guide: the behavior from before
+  double overtime_ = 0;                     // s since the path's end, or since a jog or a guided arm should stand
   double override_ = 1;
   double slow_ = 1, slow_left_ = 0;   // of the reflexes: share of the speed, s that it still lasts
   double back_left_ = 0;              // m of the tool still to go back

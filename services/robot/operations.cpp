@@ -20,6 +20,14 @@ Value error_type() {
   return types::record({{"code", "string"}, {"message", "string"}, {"argument", types::optional("string")}});
 }
 
+/// Of an operation that a reflex may interrupt.
+Value motion_error_type() {
+  return types::record({{"code", "string"},
+                        {"message", "string"},
+                        {"argument", types::optional("string")},
+                        {"reaction", types::optional("string")}});
+}
+
 /// Data of the events `contact` and `collision`.
 Value contact_type() {
   return types::record({{"link", "string"},
@@ -62,10 +70,7 @@ OperationRow move_row(services::Handler handler) {
           .handler = std::move(handler),
           .parameters = move_parameters(),
           .result = place_type(),
-          .error = types::record({{"code", "string"},
-                                  {"message", "string"},
-                                  {"argument", types::optional("string")},
-                                  {"reaction", types::optional("string")}}),
+          .error = motion_error_type(),
           .moves = true,
           .doc =
               "Moves the tool centre point and answers when it has arrived, or with the signal of the reflex that "
@@ -94,14 +99,23 @@ OperationRow jog_row(services::Handler handler) {
                    .value = "o",
                    .doc = "whose axes `linear` and `angular` are along"},
               },
-          .error = types::record({{"code", "string"},
-                                  {"message", "string"},
-                                  {"argument", types::optional("string")},
-                                  {"reaction", types::optional("string")}}),
+          .error = motion_error_type(),
           .moves = true,
+          .held = true,
           .doc =
               "Moves with this velocity from now on, for 0.25 s unless it is called again: while a person holds a "
               "button."};
+}
+
+OperationRow guide_row(services::Handler handler) {
+  return {.name = "guide",
+          .handler = std::move(handler),
+          .error = motion_error_type(),
+          .moves = true,
+          .held = true,
+          .doc =
+              "Gives way to a hand that leads it, for 0.25 s unless it is called again: while a person holds a button. "
+              "Then it brakes, and holds as before."};
 }
 
 EventRow robot_state_row() {
@@ -145,60 +159,84 @@ rsm::ServiceState state(const char* name) {
 }  // namespace
 
 // A move that is refused takes `move` and at once `done`, which answers it with the error: nothing moves. A jog that is
-// refused takes `jog`, is answered, and takes `jog_done` (Robot::end_refused_jog); in the state Jogging it changes
-// nothing.
+// refused takes `jog`, is answered, and takes `jog_done` (Robot::end_refused); in the state Jogging it changes nothing.
+// So it is with `guide`.
 const services::OperationTable& Robot::operations() {
-  static const services::OperationTable table({
-      .name = "robot",
-      .operations =
-          {
-              move_row(&Robot::move),
-              jog_row(&Robot::jog),
-              {.name = "stop",
-               .handler = &Robot::stop,
-               .safe = true,
-               .doc = "Brakes as hard as it may and holds; a move is answered `stopped`."},
-              {.name = "change_behavior",
-               .handler = &Robot::change_behavior,
-               .parameters = {{.name = "behavior", .type = "any", .doc = "as of move, or the name of a mode"}},
-               .error = error_type(),
-               .moves = true,
-               .doc = "How it holds, or gives way, and reacts from now on."},
-              {.name = "speed_override",
-               .handler = &Robot::speed_override,
-               .parameters = {{.name = "share",
-                               .type = "number",
-                               .min = 0,
-                               .max = 1,
-                               .doc = "of the planned speed; 0 pauses on the path"}},
-               .error = error_type(),
-               .moves = true,
-               .doc = "Scales the speed of all motions, the present one too."},
-              {.name = "record_pose",
-               .handler = &Robot::record_pose,
-               .result = place_type(),
-               .error = types::record({{"code", "string"}, {"message", "string"}}),
-               .doc = "Where a hand has led the arm: in gravity compensation."},
-          },
-      .events = events(),
-      .states = {state("Idle"), state("Moving"), state("Jogging")},
-      .init = "Idle",
-      .transitions =
-          {
-              {.id = "move", .src = "Idle", .dst = "Moving", .operation = "move", .defer = {"done"}, .refused = "done"},
-              {.id = "done", .src = "Moving", .dst = "Idle"},
-              {.id = "jog", .src = "Idle", .dst = "Jogging", .operation = "jog"},
-              {.id = "jog_on", .src = "Jogging", .dst = "Jogging", .operation = "jog"},
-              {.id = "jog_done", .src = "Jogging", .dst = "Idle"},
-              {.id = "stop", .dst = "Idle", .operation = "stop", .error = "stopped"},
-              {.id = "change_behavior", .src = "Idle", .dst = "Idle", .operation = "change_behavior"},
-              {.id = "override", .src = "Idle", .dst = "Idle", .operation = "speed_override"},
-              {.id = "override_moving", .src = "Moving", .dst = "Moving", .operation = "speed_override"},
-              {.id = "override_jogging", .src = "Jogging", .dst = "Jogging", .operation = "speed_override"},
-              {.id = "record_pose", .src = "Idle", .dst = "Idle", .operation = "record_pose"},
-          },
-      .meta = Dict{{"flows", Dict{{"control", "how the arm holds or gives way, and the last collision it felt"}}}},
-  });
+  static const services::OperationTable table(
+      {
+          .name = "robot",
+          .operations =
+              {
+                  move_row(&Robot::move),
+                  jog_row(&Robot::jog),
+                  guide_row(&Robot::guide),
+                  {.name = "stop",
+                   .handler = &Robot::stop,
+                   .safe = true,
+                   .doc = "Brakes as hard as it may and holds; a move is answered `stopped`."},
+                  {.name = "change_behavior",
+                   .handler = &Robot::change_behavior,
+                   .parameters = {{.name = "behavior", .type = "any", .doc = "as of move, or the name of a mode"}},
+                   .error = error_type(),
+                   .moves = true,
+                   .doc = "How it holds, or gives way, and reacts from now on."},
+                  {.name = "speed_override",
+                   .handler = &Robot::speed_override,
+                   .parameters = {{.name = "share",
+                                   .type = "number",
+                                   .min = 0,
+                                   .max = 1,
+                                   .doc = "of the planned speed; 0 pauses on the path"}},
+                   .error = error_type(),
+                   .moves = true,
+                   .doc = "Scales the speed of all motions, the present one too."},
+                  {.name = "record_pose",
+                   .handler = &Robot::record_pose,
+                   .result = place_type(),
+                   .error = types::record({{"code", "string"}, {"message", "string"}}),
+                   .doc = "Where a hand has led the arm: while it is guided, or in gravity compensation."},
+                  {.name = "state",
+                   .handler = &Robot::report_state,
+                   .result = types::record({{"pose", "pose"},
+                                            {"q", joints_type()},
+                                            {"mode", types::one_of({"position", "joint_impedance",
+                                                                    "cartesian_impedance", "gravity_compensation"})},
+                                            {"moving", "bool"}}),
+                   .doc = "Where it is now, and how it holds or gives way."},
+              },
+          .events = events(),
+          .states = {state("Idle"), state("Moving"), state("Jogging"), state("Guiding")},
+          .init = "Idle",
+          .transitions =
+              {
+                  {.id = "move",
+                   .src = "Idle",
+                   .dst = "Moving",
+                   .operation = "move",
+                   .defer = {"done"},
+                   .refused = "done"},
+                  {.id = "done", .src = "Moving", .dst = "Idle"},
+                  {.id = "jog", .src = "Idle", .dst = "Jogging", .operation = "jog"},
+                  {.id = "jog_on", .src = "Jogging", .dst = "Jogging", .operation = "jog"},
+                  {.id = "jog_done", .src = "Jogging", .dst = "Idle"},
+                  {.id = "guide", .src = "Idle", .dst = "Guiding", .operation = "guide"},
+                  {.id = "guide_on", .src = "Guiding", .dst = "Guiding", .operation = "guide"},
+                  {.id = "guide_done", .src = "Guiding", .dst = "Idle"},
+                  {.id = "stop", .dst = "Idle", .operation = "stop", .error = "stopped"},
+                  {.id = "change_behavior", .src = "Idle", .dst = "Idle", .operation = "change_behavior"},
+                  {.id = "override", .src = "Idle", .dst = "Idle", .operation = "speed_override"},
+                  {.id = "override_moving", .src = "Moving", .dst = "Moving", .operation = "speed_override"},
+                  {.id = "override_jogging", .src = "Jogging", .dst = "Jogging", .operation = "speed_override"},
+                  {.id = "override_guiding", .src = "Guiding", .dst = "Guiding", .operation = "speed_override"},
+                  {.id = "record_pose", .src = "Idle", .dst = "Idle", .operation = "record_pose"},
+                  {.id = "record_pose_guiding", .src = "Guiding", .dst = "Guiding", .operation = "record_pose"},
+                  {.id = "state", .src = "Idle", .dst = "Idle", .operation = "state"},
+                  {.id = "state_moving", .src = "Moving", .dst = "Moving", .operation = "state"},
+                  {.id = "state_jogging", .src = "Jogging", .dst = "Jogging", .operation = "state"},
+                  {.id = "state_guiding", .src = "Guiding", .dst = "Guiding", .operation = "state"},
+              },
+          .meta = Dict{{"flows", Dict{{"control", "how the arm holds or gives way, and the last collision it felt"}}}},
+      });
   return table;
 }
 

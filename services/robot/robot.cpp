@@ -9,6 +9,7 @@ namespace {
 constexpr std::int64_t kStepsPerSample = 10;    // robot_state at 100 Hz
 constexpr std::int64_t kStepsPerControl = 200;  // packets of `control` at 5 Hz
 constexpr std::string_view kControl = "control";
+constexpr std::string_view kJogDone = "jog_done", kGuideDone = "guide_done";
 
 }  // namespace
 
@@ -57,31 +58,39 @@ void Robot::set_payload(const std::optional<Vec3>& part) {
 
 void Robot::jog(const services::Call& call, const Dict& arguments) {
   const auto wanted = read_jog(arguments);
-  if (!wanted) return refuse_jog(call, wanted.error());
-  if (const auto accepted = unit_.jog(*wanted); !accepted) return refuse_jog(call, accepted.error());
-  jogging_ = true;
+  if (!wanted) return refuse_held(call, wanted.error());
+  if (const auto accepted = unit_.jog(*wanted); !accepted) return refuse_held(call, accepted.error());
+  held_ = kJogDone;
   host().result(call.id, nullptr);
 }
 
-void Robot::refuse_jog(const services::Call& call, const Refusal& refusal) {
+void Robot::guide(const services::Call& call, const Dict&) {
+  if (const auto accepted = unit_.guide(); !accepted) return refuse_held(call, accepted.error());
+  held_ = kGuideDone;
+  host().result(call.id, nullptr);
+}
+
+void Robot::refuse_held(const services::Call& call, const Refusal& refusal) {
   refuse(call, to_value(refusal));
-  end_refused_jog();
+  end_refused(call);
 }
 
 void Robot::refuse_arguments(const services::Call& call, const Error& error) {
   TableComponent::refuse_arguments(call, error);
-  if (call.operation == "jog") end_refused_jog();
+  end_refused(call);
 }
 
-/// The state is Jogging by a call that was refused, or still by one before it.
-void Robot::end_refused_jog() {
-  if (!jogging_) take("jog_done");
+/// The state is Jogging or Guiding by a call that was refused, or still by one before it.
+void Robot::end_refused(const services::Call& call) {
+  if (!held_.empty()) return;
+  if (call.operation == "jog") take(kJogDone);
+  if (call.operation == "guide") take(kGuideDone);
 }
 
 /// The motion of the unit has ended.
 void Robot::finish(const std::optional<Refusal>& failure) {
   if (moving_ != 0) finish_move(failure);
-  if (std::exchange(jogging_, false)) take("jog_done");
+  if (const auto held = std::exchange(held_, {}); !held.empty()) take(held);
 }
 
 void Robot::finish_move(const std::optional<Refusal>& failure) {
@@ -101,7 +110,7 @@ Value Robot::place() const {
 
 void Robot::stop(const services::Call& call) {
   unit_.stop();
-  jogging_ = false;
+  held_ = {};
   if (moving_ != 0) host().error(std::exchange(moving_, 0), to_value(Refusal{"stopped", "", "the robot was stopped"}));
   host().result(call.id, nullptr);
 }
@@ -126,9 +135,16 @@ void Robot::speed_override(const services::Call& call, const Dict& arguments) {
 }
 
 void Robot::record_pose(const services::Call& call, const Dict&) {
-  if (unit_.behavior().operational.mode != Mode::gravity_compensation)
-    return refuse(call, to_value(Refusal{"behavior", "", "poses are recorded in gravity compensation"}));
+  const bool by_hand = held_ == kGuideDone || unit_.behavior().operational.mode == Mode::gravity_compensation;
+  if (!by_hand) return refuse(call, to_value(Refusal{"behavior", "", "poses are recorded while a hand leads the arm"}));
   host().result(call.id, place());
+}
+
+void Robot::report_state(const services::Call& call) {
+  Dict state = place().as_dict();
+  state.set("mode", Value(name(unit_.behavior().operational.mode)));
+  state.set("moving", unit_.moving());
+  host().result(call.id, std::move(state));
 }
 
 void Robot::step() {

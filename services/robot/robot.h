@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "services/robot/control_unit.h"
 #include "services/table_component.h"
@@ -36,13 +37,15 @@ class Robot final : public services::TableComponent {
 
   void move(const services::Call& call, const Dict& arguments);
   void jog(const services::Call& call, const Dict& arguments);
-  void refuse_jog(const services::Call& call, const Refusal& refusal);
-  void end_refused_jog();
+  void guide(const services::Call& call, const Dict& arguments);
+  void refuse_held(const services::Call& call, const Refusal& refusal);
+  void end_refused(const services::Call& call);
   void set_payload(const std::optional<Vec3>& part);
   void stop(const services::Call& call);
   void change_behavior(const services::Call& call, const Dict& arguments);
   void speed_override(const services::Call& call, const Dict& arguments);
   void record_pose(const services::Call& call, const Dict& arguments);
+  void report_state(const services::Call& call);
   Value place() const;
   void finish_move(const std::optional<Refusal>& failure);
   void finish(const std::optional<Refusal>& failure);
@@ -54,7 +57,7 @@ class Robot final : public services::TableComponent {
   std::optional<world::Clearance> clearance_with_payload_;  // of the arm and the payload of the last move
   ControlUnit unit_;
   services::CallId moving_ = 0;  // the move that waits for its end; 0: none
-  bool jogging_ = false;         // in the state Jogging
+  std::string_view held_;        // the transition that ends the state Jogging or Guiding; empty: in neither
   Value collision_;              // the last one, as the flow `control` tells it; null: none yet
   bool watched_ = false;         // somebody listens to the flow `control`
 };

@@ -1,40 +1,10 @@
 // The service `robot` as tasks meet it: operations, responses, events; the monitor watches every announcement.
-#include <gmock/gmock.h>
-
 #include <random>
 
-#include "services/robot/robot.h"
-#include "tests/unit/services/robot/recorder.h"
-#include "tests/unit/services/robot/rig.h"
+#include "tests/unit/services/robot/robot_service.h"
 
 namespace race::robot {
 namespace {
-
-using services::CallId;
-
-struct RobotService : testing::Test {
-  RobotService() { robot = std::move(Robot::create(host, *world).value()); }
-  ~RobotService() override { EXPECT_THAT(host.violations, testing::IsEmpty()); }
-
-  void run(double seconds) {
-    for (int i = 0; i < static_cast<int>(std::lround(seconds * 1000)); ++i) {
-      world->step();
-      host.time = world->time();
-      robot->step();
-    }
-  }
-  CallId call(const std::string& operation, std::string_view arguments = "[]") {
-    return host.call(*robot, operation, arguments);
-  }
-  void finish(CallId id) {
-    for (int i = 0; i < 200 && !host.answered(id); ++i) run(0.1);
-    ASSERT_TRUE(host.answered(id));
-  }
-
-  services::Recorder host{model()};
-  std::unique_ptr<world::World> world = Rig::make_world(empty_scene());
-  std::unique_ptr<Robot> robot;
-};
 
 constexpr const char* kDownPose = R"([{"position": [0.5, 0.1, 0.25], "orientation": [1, 0, 0, 0]}])";
 

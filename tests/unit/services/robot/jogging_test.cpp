@@ -6,8 +6,6 @@
 namespace race::robot {
 namespace {
 
-constexpr int kHoldCycles = 250;
-
 JogVelocity joint(std::size_t number, double speed) {
   Joints speeds{};
   speeds[number - 1] = speed;
@@ -75,17 +73,6 @@ TEST(Jog, SlowsDownInTheCycleAfterZeroIsWanted) {
   hold(rig, joint(1, 0.5), 1);
   ASSERT_TRUE(rig.unit.jog(Joints{}));
   EXPECT_EQ(cycles_to_slow_down(rig), 1);
-}
-
-/// s until the tool stands, and m that it goes until then.
-std::pair<double, double> standstill(Rig& rig) {
-  const Vec3 from = rig.world->pose("tcp").position;
-  double time = 0;
-  while (tool_way(rig.unit.arm(), rig.world->q(), rig.world->dq()) > 0.001) {
-    rig.step();
-    time += ControlUnit::kPeriod;
-  }
-  return {time, distance(from, rig.world->pose("tcp").position)};
 }
 
 TEST(Jog, StandsSoonAsTheReadmeSays) {

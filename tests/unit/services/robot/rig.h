@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <utility>
 
 #include "services/robot/control_unit.h"
 #include "services/world/clearance.h"
@@ -86,7 +87,17 @@ struct Rig {
   std::function<void()> each_step;
 };
 
+inline constexpr int kHoldCycles = 250;  // that a call of jog() or guide() is good for
+
 inline double distance(const Vec3& a, const Vec3& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
+
+/// Steps until the tool stands: s until then, and m that it goes.
+inline std::pair<double, double> standstill(Rig& rig) {
+  const Vec3 from = rig.world->pose("tcp").position;
+  double time = 0;
+  for (; tool_way(rig.unit.arm(), rig.world->q(), rig.world->dq()) > 0.001; time += ControlUnit::kPeriod) rig.step();
+  return {time, distance(from, rig.world->pose("tcp").position)};
+}
 
 /// Angle in rad between two orientations.
 inline double angle(const Pose& a, const Pose& b) {
