@@ -7,24 +7,6 @@ namespace race::server {
 
 using services::MutexLock;
 
-// A button that is held calls `jog` again and again.
-bool ManualControl::Holder::begins(const PersonCall& call, Steady now) {
-  const bool goes_on = jogged == call.service && now - last_jog <= kJogTime;
-  if (call.operation == "stop") return !goes_on;
-  if (call.operation != "jog") return true;
-  jogged = call.service;
-  last_jog = now;
-  return !goes_on;
-}
-
-// A button that is held when its permission ends (a stop, another mode) moves nothing later, whoever resets the stop:
-// it is to be let go first. To be asked before begins().
-bool ManualControl::Holder::is_held_over(const PersonCall& call, std::uint64_t fence, Steady now) {
-  if (call.operation != "jog") return false;
-  if (jogged != call.service || now - last_jog > Control::kSilence) jog_fence = fence;
-  return jog_fence != fence;
-}
-
 Expected<std::uint64_t> ManualControl::wait(Via via, PersonCalls::Respond respond) {
   const bool is_request = via == Via::request;
   if ((is_request ? by_request_ : holder_->calls).add(last_call_ + 1, std::move(respond))) return ++last_call_;
@@ -35,15 +17,14 @@ Expected<std::uint64_t> ManualControl::wait(Via via, PersonCalls::Respond respon
 Expected<ManualControl::ByHand> ManualControl::begin_by_hand(std::uint64_t control, const PersonCall& call, Steady now,
                                                              Via via, PersonCalls::Respond respond) {
   ASSIGN_OR_RETURN(const std::uint64_t fence, control_.fence_of(control));
+  const bool is_held = host_.is_held(call.service, call.operation);
   const MutexLock lock(mutex_);
   if (!holder_ || holder_->number != control)
     return unexpected(ErrorCode::leased, "you have not the controls of the cell any more");
-  if (holder_->is_held_over(call, fence, now)) {
-    holder_->last_jog = now;
+  if (is_held && holder_->held.is_held_over(call.service, fence, now))
     return unexpected(ErrorCode::stopped, "the cell was stopped meanwhile: let the button go first");
-  }
   ASSIGN_OR_RETURN(const std::uint64_t number, wait(via, std::move(respond)));
-  return ByHand{{Control::caller(control), number, fence}, holder_->begins(call, now)};
+  return ByHand{{Control::caller(control), number, fence}, holder_->begins(call, is_held, now)};
 }
 
 // A call is a sign of life, too.

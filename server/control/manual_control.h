@@ -18,6 +18,7 @@
 #include "core/value/fields.h"
 #include "server/control/cell_stop.h"
 #include "server/control/control.h"
+#include "server/control/held_operation.h"
 #include "server/control/person_call.h"
 #include "server/stream/control_requests.h"
 #include "services/host/host.h"
@@ -29,9 +30,8 @@ class ManualControl final : public ControlRequests {
  public:
   using Steady = Control::Steady;
   static constexpr std::chrono::seconds kAnswerTime{30};  // for a person at the cell to allow a take-over
-  static constexpr std::chrono::seconds kJogTime{1};      // calls of `jog` that follow each other sooner are one motion
   /// What somebody has done, as a row of the audit log: who takes the controls, or asks for them; each call by hand,
-  /// but of a motion by `jog` the first alone, and not the `stop` that ends it; and how the controls end.
+  /// but of a motion while a button is held the first alone, and not the `stop` that ends it; and how the controls end.
   using Record = std::function<void(const Identity& identity, std::string action, std::string outcome)>;
 
   /// All outlive this.
@@ -46,8 +46,8 @@ class ManualControl final : public ControlRequests {
   void check(Steady now) EXCLUDES(mutex_);
   /// Calls an operation for a request: `control` is the number of its sender, 0 if they have not the controls.
   /// `respond` gets the response, unless give_up() comes before. One that `moves` passes what a call on a connection
-  /// does. Errors: `not_found`: the service; `leased`: it moves, and they have not the controls; `stopped`, of a `jog`
-  /// whose button was held when the cell was; `unavailable`: PersonCalls::kMost others wait.
+  /// does. Errors: `not_found`: the service; `leased`: it moves, and they have not the controls; `stopped`, of what is
+  /// called while a button is held that was held when the cell was; `unavailable`: PersonCalls::kMost others wait.
   Expected<services::Caller> call_by_request(std::uint64_t control, const PersonCall& call,
                                              PersonCalls::Respond respond) EXCLUDES(mutex_);
   /// Nobody waits for the response to this call of a request any more; whether somebody did.
@@ -68,16 +68,17 @@ class ManualControl final : public ControlRequests {
   static constexpr std::string_view kRequests = "request";  // the caller of what needs no controls
   /// Who has the controls.
   struct Holder {
-    bool begins(const PersonCall& call, Steady now);
-    bool is_held_over(const PersonCall& call, std::uint64_t fence, Steady now);
     std::weak_ptr<ControlClient> client;
     Identity identity = {};
     std::uint64_t number = 0;
     std::string secret = {};  // its digest
     PersonCalls calls = {};   // that wait
-    std::string jogged = {};  // the service of the last `jog`
-    Steady last_jog = {};
-    std::uint64_t jog_fence = 0;  // with which that motion began
+    HeldOperation held = {};
+    /// Whether a call that is let through is more than the going on of a motion, or the stop that ends it.
+    bool begins(const PersonCall& call, bool is_held, Steady now) {
+      if (is_held) return held.begins(call.service, call.operation, now);
+      return call.operation != "stop" || !held.goes_on(call.service, now);
+    }
   };
   /// Who wants them from somebody who has them.
   struct Asking {
@@ -96,7 +97,7 @@ class ManualControl final : public ControlRequests {
   void call(Fields& fields, const Message& message) EXCLUDES(mutex_);
   /// Where a call comes from: the connection of who has the controls, or a request.
   enum class Via { connection, request };
-  /// One that may be made; `is_new`: it is no part of a motion by `jog` that has begun.
+  /// One that may be made; `is_new`: it is no part of a motion that has begun.
   struct ByHand {
     services::Caller caller;
     bool is_new = false;

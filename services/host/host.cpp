@@ -323,6 +323,13 @@ std::optional<ServiceStatus> Host::service(const std::string& key) const {
   return entry->status;
 }
 
+bool Host::is_held(const std::string& service, std::string_view operation) const {
+  const MutexLock lock(mutex_);
+  const ServiceEntry* entry = find(service);
+  const rsm::Operation* found = entry ? find_operation(entry->model, operation) : nullptr;
+  return found && found->held;
+}
+
 std::map<std::string, rsm::Service> Host::models() const {
   const MutexLock lock(mutex_);
   std::map<std::string, rsm::Service> all;

@@ -122,6 +122,8 @@ class Host {
 
   std::vector<ServiceStatus> services() const EXCLUDES(mutex_);
   std::optional<ServiceStatus> service(const std::string& key) const EXCLUDES(mutex_);
+  /// Whether the service has such an operation, which is called while a person holds a button (rsm::Operation::held).
+  bool is_held(const std::string& service, std::string_view operation) const EXCLUDES(mutex_);
   /// Key -> description, as a Program reads it.
   std::map<std::string, rsm::Service> models() const EXCLUDES(mutex_);
 

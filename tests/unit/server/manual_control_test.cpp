@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/rsm/document.h"
 #include "tests/unit/server/hosted_cores.h"
 
 namespace race::server {
@@ -20,13 +21,37 @@ using namespace std::chrono_literals;
 
 struct Person final : ControlClient {
   explicit Person(std::string account) : who{std::move(account), Role::cell_operator} {}
-  void tell(Value) override {}
+  void tell(Value message) override { heard.push_back(std::move(message)); }
+  /// Of the errors that were heard.
+  std::vector<std::string> codes() const {
+    std::vector<std::string> codes;
+    for (const Value& message : heard)
+      if (const Value* error = message.find("error")) codes.push_back(error->find("code")->as_string());
+    return codes;
+  }
   const Identity& identity() const override { return who; }
   const Identity who;
+  std::vector<Value> heard;
+};
+
+// Its calls stay where they arrive: what is recorded, and who is answered, is decided before.
+struct Arm final : services::Component {
+  const rsm::Service& model() const override {
+    static const rsm::Service arm =
+        rsm::read_service_text(R"({"rsm": 1, "name": "robot", "states": [{"name": "Idle"}], "init": "Idle",
+                                   "operations": [{"name": "move"}, {"name": "jog", "held": true},
+                                                  {"name": "guide", "held": true}, {"name": "stop"}]})",
+                               "robot")
+            .value();
+    return arm;
+  }
+  void call(const services::Call&) override {}
 };
 
 struct ManualControlTest : HostedCores {
   void SetUp() override {
+    host.declare("robot", "robot", queue);
+    host.attach("robot", std::make_unique<Arm>());
     begin_server();
     cell_stop = std::make_unique<CellStop>(
         control, host, *cores, CellStop::Marks{StopMark(place.file("stopped")), ModeMark(place.file("mode"))},
@@ -59,6 +84,7 @@ struct ManualControlTest : HostedCores {
   // What was recorded since it was asked last.
   std::vector<std::string> recorded() { return std::exchange(rows, {}); }
 
+  services::WorkQueue queue;
   Control control{[](const Value&) {}};
   std::unique_ptr<CellStop> cell_stop;
   std::unique_ptr<ManualControl> manual;
@@ -131,11 +157,41 @@ TEST_F(ManualControlTest, AJogThatIsHeldIsOneRow) {
   EXPECT_THAT(recorded(), ElementsAre("ada control call robot.jog accepted"));
   call(ada, "gripper", "stop");
   EXPECT_THAT(recorded(), ElementsAre("ada control call gripper.stop accepted")) << "of another service";
-  std::this_thread::sleep_for(ManualControl::kJogTime + 10ms);
+  std::this_thread::sleep_for(HeldOperation::kOneMotion + 10ms);
   call(ada, "robot", "jog");
-  std::this_thread::sleep_for(ManualControl::kJogTime + 10ms);
+  std::this_thread::sleep_for(HeldOperation::kOneMotion + 10ms);
   call(ada, "robot", "stop");
   EXPECT_THAT(recorded(), ElementsAre("ada control call robot.jog accepted", "ada control call robot.stop accepted"));
+}
+
+TEST_F(ManualControlTest, GuidingThatIsHeldIsOneRowAndOneOfItsOwn) {
+  take(ada);
+  call(ada, "robot", "jog");
+  recorded();
+  for (int i = 0; i < 20; ++i) call(ada, "robot", "guide");
+  call(ada, "robot", "stop");
+  EXPECT_THAT(recorded(), ElementsAre("ada control call robot.guide accepted"));
+  for (int i = 0; i < 2; ++i) call(ada, "db", "guide");
+  EXPECT_THAT(recorded(), ElementsAre("ada control call db.guide accepted", "ada control call db.guide accepted"))
+      << "a service that does not say so has no button that is held";
+}
+
+TEST_F(ManualControlTest, AButtonThatIsHeldOverAStopIsAnsweredStopped) {
+  take(ada);
+  for (const char* operation : {"jog", "guide"}) {
+    call(ada, "robot", operation);
+    ada->heard.clear();
+    control.stop({"bob", 0});
+    control.reset();
+    for (int i = 0; i < 3; ++i) call(ada, "robot", operation);
+    EXPECT_EQ(ada->codes(), (std::vector<std::string>{"stopped", "stopped", "stopped"})) << operation;
+    std::this_thread::sleep_for(Control::kSilence + 10ms);
+    ada->heard.clear();
+    say(ada, R"({"type": "beat"})");
+    call(ada, "robot", operation);
+    EXPECT_EQ(ada->codes(), std::vector<std::string>()) << "pressed again";
+    std::this_thread::sleep_for(Control::kSilence + 10ms);
+  }
 }
 
 TEST_F(ManualControlTest, AJogOfTheNextPersonIsARowOfTheirs) {

@@ -1,0 +1,39 @@
+// HeldOperation: an operation that is called again and again while a person holds a button (rsm::Operation::held), as
+// `jog` and `guide` of a robot are. Which of its calls are one motion, and which come of a button that was pressed
+// under a permission that has ended since.
+//
+// Threads: one at a time.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+#include "server/control/control.h"
+
+namespace race::server {
+
+class HeldOperation {
+ public:
+  using Steady = Control::Steady;
+  static constexpr std::chrono::seconds kOneMotion{1};  // calls that follow each other sooner are one motion
+
+  /// A call to `service` came, with the fencing number `fence`. Whether its button is held since another number was
+  /// given: what ended that permission (a stop, another mode) ended the motion, and whoever resets the stop, the button
+  /// moves nothing until it is let go of: until no such call has come for as long as a person may be silent.
+  bool is_held_over(const std::string& service, std::uint64_t fence, Steady now);
+
+  /// A call that is let through. Whether it begins a motion, or goes on with one.
+  bool begins(const std::string& service, const std::string& operation, Steady now);
+  /// Whether a motion of `service` may still go on.
+  bool goes_on(const std::string& service, Steady now) const;
+
+ private:
+  std::string service_, operation_;  // of the last motion
+  Steady moved_;                     // when it was let through last
+  std::string heard_from_;           // the service of the last call, let through or not
+  Steady heard_;
+  std::uint64_t fence_ = 0;  // with which the button was pressed
+};
+
+}  // namespace race::server
