@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include "server/accounts/secret.h"
+#include "services/sqlite/digest.h"
 #include "services/sqlite/table_hash.h"
 #include "tests/unit/temporary_folder.h"
 
@@ -14,6 +16,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
+using testing::StrCaseEq;
 
 constexpr std::int64_t kNow = 1'000'000;
 
@@ -245,8 +248,12 @@ TEST_F(AccountsTest, AnOlderFileKeepsItsTokensAndADamagedOneIsNotMadeWhole) {
         "ALTER TABLE token DROP COLUMN display; PRAGMA user_version = 1;" +
         damage);
     sqlite::keep_schema(old);
+    return old.execAndGet("SELECT hex(digest) FROM token").getString();
   };
-  make_older("");
+  // As version 1 has it.
+  const sqlite::Digest digest = sqlite::sha256_of(
+      {"token", digest_of_secret(token), "ada", Accounts::kLogin, std::to_string(kNow), std::to_string(kNow + 1000)});
+  EXPECT_THAT(make_older(""), StrCaseEq(sqlite::hex(digest)));
   reopen();
   EXPECT_EQ(accounts->identify(token, kNow)->role, Role::admin);
   EXPECT_EQ(accounts->tokens("ada", kNow).front().scope, TokenScope());
