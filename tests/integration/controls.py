@@ -108,15 +108,15 @@ class RecordedControls(Controls):
 
 
 @contextlib.contextmanager
-def held(person, turn=0.3):
-    """A button is held meanwhile: `jog` is called again and again, whatever is answered, until the connection ends.
-    `turn`: of the base [rad/s]."""
+def pressed(person, operation, **kwargs):
+    """A button is held meanwhile: an operation of the robot is called again and again, whatever is answered, until the
+    connection ends."""
     released = threading.Event()
 
     def hold():
         with contextlib.suppress(OSError):
             while not released.wait(0.05):
-                person.call("robot", "jog", joints=[turn, 0, 0, 0, 0, 0, 0])
+                person.call("robot", operation, **kwargs)
 
     button = threading.Thread(target=hold)
     button.start()
@@ -125,6 +125,11 @@ def held(person, turn=0.3):
     finally:
         released.set()
         button.join()
+
+
+def held(person, turn=0.3):
+    """The button of a jog. `turn`: of the base [rad/s]."""
+    return pressed(person, "jog", joints=[turn, 0, 0, 0, 0, 0, 0])
 
 
 def eventually(found, timeout=TIMEOUT):

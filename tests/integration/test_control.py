@@ -1,5 +1,6 @@
 """One person at a time has the controls: nobody else moves the cell, or begins a run; what moved by them stops with them."""
 import collections
+import contextlib
 import threading
 import time
 import unittest
@@ -7,7 +8,7 @@ import unittest
 import models
 from accounts import PASSWORD, AccountServer
 from client import PROJECT, Server
-from controls import Controls, eventually
+from controls import Controls, eventually, pressed
 from motions import FAR, HOME, Arm, insisting, moving
 
 DEMO = str(PROJECT / "deploy/demo")
@@ -184,6 +185,54 @@ class Jogging(ControlCase):
         for velocity in ({"joints": [3.0, 0, 0, 0, 0, 0, 0]}, {"linear": [0.3, 0, 0]}, {"angular": [0, 2, 0]}):
             self.assertEqual(alice.call("robot", "jog", **velocity)["error"]["code"], "out_of_range")
         self.arm.stands_for(0.3)
+
+
+class Guiding(ControlCase):
+    """A hand leads the arm while a button is held: `guide` is called again and again."""
+
+    def state(self):
+        return next(s["state"] for s in self.server.get("/services", "services")["services"] if s["key"] == "robot")
+
+    def pull(self, seconds):
+        self.server.post("/cell/person", {"act": "push", "body": "gripper", "force": [0, 15, 0], "duration": seconds}, "person")
+
+    def test_the_arm_follows_a_hand_while_it_is_held_and_holds_soon_after(self):
+        alice = self.person().programming()
+        self.assertEqual(alice.call("robot", "state")["result"]["mode"], "position")
+        with pressed(alice, "guide"):
+            self.pull(0.7)
+            self.arm.wait(moving=True)
+            time.sleep(0.5)
+            self.assertEqual(self.state(), "Guiding")
+        pose = alice.call("robot", "record_pose")["result"]
+        self.assertEqual(alice.call("robot", "move", target={"joints": HOME})["error"]["code"], "not_accepted")
+        eventually(lambda: self.state() == "Idle")
+        with contextlib.closing(Arm(self.server)) as arm:  # by poses from now on
+            arm.stands_for(0.5)
+        now = alice.call("robot", "state")["result"]
+        self.assertEqual((now["mode"], now["moving"]), ("position", False))
+        self.assertGreater(now["pose"]["position"][1], 0.02)
+        self.assertEqual(len(pose["q"]), 7)
+        self.assertEqual(self.holder(), alice.number)
+
+    def test_it_moves_the_arm_so_others_and_other_modes_do_not(self):
+        alice, bob = self.person(), self.person()
+        self.assertEqual(bob.call("robot", "guide")["error"]["code"], "leased")
+        alice.take()
+        self.assertEqual(alice.call("robot", "guide")["error"]["code"], "not_accepted")
+        self.assertIn("pose", alice.call("robot", "state")["result"], "and this in any mode")
+
+    def test_a_button_that_is_held_over_a_stop_guides_nothing_until_it_is_let_go_of(self):
+        alice = self.person().programming()
+        self.assertEqual(alice.call("robot", "guide"), {"result": None})
+        self.server.post("/stop")
+        self.server.post("/stop/reset")
+        for _ in range(10):
+            self.assertEqual(alice.call("robot", "guide")["error"]["code"], "stopped")
+            time.sleep(0.05)
+        self.assertEqual(self.state(), "Idle")
+        time.sleep(0.3)
+        self.assertEqual(alice.call("robot", "guide"), {"result": None})
 
 
 class Audit(ControlCase):

@@ -18,7 +18,7 @@ from pathlib import Path
 
 import models
 from client import PROJECT, Server
-from controls import Controls, eventually
+from controls import Controls, eventually, pressed
 from motions import HOME, Arm
 
 DEMO = str(PROJECT / "deploy/demo")
@@ -130,6 +130,27 @@ class LostOperator(unittest.TestCase):
         def silent(person):
             person.beating.set()
         self.measure("silence", lambda target: self.in_process(target, silent))
+
+    def led(self, target, end):
+        """Who guides the arm and is lost by `end`, while a hand goes on pulling it."""
+        person = Controls(self.server)
+        self.addCleanup(person.close)
+        self.assertEqual(person.take()["kind"], "taken")
+        self.hand(act="grab", body="gripper", limit=20, keep=60)
+        with pressed(person, "guide"):
+            self.hand(act="drag", by=[0, 0.8 if target[0] > 0 else -0.8, 0], speed=0.3, keep=60)
+            self.wait(moving=True)
+            time.sleep(0.8)
+            lost = time.time()
+            end(person)
+        return lost
+
+    def hand(self, **command):
+        self.server.post("/cell/person", command, "person")
+
+    def test_a_connection_that_is_closed_while_a_hand_leads_the_arm(self):
+        self.addCleanup(self.hand, act="release")
+        self.measure("guided, close", lambda target: self.led(target, lambda person: person.close()))
 
     def process(self, target, signals):
         program = Path(__file__).parent / "person_at_controls.py"
