@@ -215,8 +215,9 @@ const Joints& ControlUnit::control(const Joints& q, const Joints& dq) {
   if (const double slowest = reflexes_.slowest(); slowest < 1) {
     slow_ = slowest;
     slow_left_ = kSlowLasts;
-  } else if (slow_left_ > 0 && (slow_left_ -= kPeriod) <= 0) {
-    slow_ = 1;
+  } else if (slow_left_ > 0) {
+    slow_left_ -= kPeriod;
+    if (slow_left_ <= 0) slow_ = 1;
   }
   if (activity_ == Activity::guide && !button_.held()) settle();
   Joints torques = law(q, dq);

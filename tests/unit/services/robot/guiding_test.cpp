@@ -1,5 +1,7 @@
 // Hand guiding while a person holds a button: the arm follows a hand, and brakes and holds when the button is let go
 // of.
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "tests/unit/services/robot/crash.h"
