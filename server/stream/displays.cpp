@@ -17,6 +17,7 @@ List texts(const std::vector<std::string>& from) { return {from.begin(), from.en
 Value message_json(const display::Message& message) {
   Dict json{{"text", message.text}, {"buttons", texts(message.buttons)}};
   if (!message.image.empty()) json.set("image", message.image);
+  if (message.progress) json.set("progress", *message.progress);
   return json;
 }
 

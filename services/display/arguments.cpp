@@ -54,7 +54,10 @@ Expected<NumberEntry> read_number(const Dict& arguments) {
 Expected<Message> read_message(const Dict& arguments, const std::string& folder) {
   Message message;
   ASSIGN_OR_RETURN(message.text, read_text(arguments, "text", kTextBytes));
-  ASSIGN_OR_RETURN(message.buttons, read_buttons(*arguments.find("buttons"), "buttons", 0));
+  if (const Value* buttons = arguments.find("buttons")) {
+    ASSIGN_OR_RETURN(message.buttons, read_buttons(*buttons, "buttons", 0));
+  }
+  if (const Value* progress = arguments.find("progress")) message.progress = progress->to_double();
   if (const Value* image = arguments.find("image")) {
     ASSIGN_OR_RETURN(message.image, image_url(image->as_string(), folder));
   }

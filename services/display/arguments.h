@@ -17,7 +17,7 @@ inline constexpr std::size_t kUnitBytes = 16;
 // Each reads what bind_arguments() gave. Errors, with the argument as path: `too_large`, `out_of_range`, `duplicate`,
 // and those of image_url().
 
-/// Of show_text and show_image.
+/// Of show_text, show_image and show_progress.
 Expected<Message> read_message(const Dict& arguments, const std::string& folder);
 /// Of ask, choose and ask_number.
 Expected<Question> read_question(const Dict& arguments);

@@ -13,6 +13,7 @@ struct Message {
   std::string text;
   std::string image;  // a data URL; empty: none
   std::vector<std::string> buttons;
+  std::optional<double> progress = {};  // 0..1, a bar below the text
   bool operator==(const Message&) const = default;
 };
 

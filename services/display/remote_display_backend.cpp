@@ -76,9 +76,11 @@ Expected<Value> take(DisplayBackend& backend, const Dict&) {
 using Function = services::HostFunction<DisplayBackend>;
 
 constexpr std::array kFunctions = {
-    Function{"show_text", show},       Function{"show_image", show},  Function{"ask", ask},
-    Function{"ask_number", ask},       Function{"clear", clear},      Function{"withdraw", withdraw, false},
-    Function{"asking", asking, false}, Function{"take", take, false},
+    Function{"show_text", show},           Function{"show_image", show},
+    Function{"show_progress", show},       Function{"ask", ask},
+    Function{"ask_number", ask},           Function{"clear", clear},
+    Function{"withdraw", withdraw, false}, Function{"asking", asking, false},
+    Function{"take", take, false},
 };
 
 }  // namespace
@@ -96,9 +98,19 @@ Expected<Value> RemoteDisplayBackend::command(std::string_view function, Dict ar
 }
 
 Expected<void> RemoteDisplayBackend::show(const std::string& target, Message message) {
-  Dict arguments{{"text", message.text}, {"buttons", texts(message.buttons)}, {"display", target}};
-  if (!message.image.empty()) arguments.set("image", message.image);
-  auto shown = command(message.image.empty() ? "show_text" : "show_image", std::move(arguments));
+  Dict arguments{{"text", message.text}, {"display", target}};
+  std::string_view function = "show_text";
+  if (message.progress) {
+    arguments.set("progress", *message.progress);
+    function = "show_progress";
+  } else {
+    arguments.set("buttons", texts(message.buttons));
+  }
+  if (!message.image.empty()) {
+    arguments.set("image", message.image);
+    function = "show_image";
+  }
+  auto shown = command(function, std::move(arguments));
   if (!shown) return tl::unexpected(std::move(shown).error());
   return {};
 }

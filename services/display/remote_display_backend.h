@@ -2,8 +2,8 @@
 // the server, which answers them with answer_display_request(). The Screens stay in the server: it alone decides what
 // is shown and whose answer was first.
 //
-// A request names a function of DisplayBackend: show_text, show_image, ask, ask_number and clear with the parameters of
-// the operations (an image is a data URL by then); withdraw, asking and take without arguments
+// A request names a function of DisplayBackend: show_text, show_image, show_progress, ask, ask_number and clear with
+// the parameters of the operations (an image is a data URL by then); withdraw, asking and take without arguments
 // (api/schemas/component_request.json).
 //
 // Threads: the component's; answer_display_request() any.

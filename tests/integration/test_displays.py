@@ -91,6 +91,14 @@ class Displays(DisplayCase):
         self.server.core(asking("display.show_text('Hello', display='right')", "shown"))
         self.assertEqual(self.shown(display, "message"), {"text": "Hello", "buttons": []})
 
+    def test_progress_is_shown_until_something_else_is(self):
+        display = self.display()
+        self.server.core(asking("display.show_progress('Calibrating', 0.4)"))
+        self.assertEqual(self.shown(display, "message"), {"text": "Calibrating", "buttons": [], "progress": 0.4})
+        self.assertEqual(self.code(self.server.core(asking("display.show_progress('Calibrating', 1.5)", "wrong"))), "out_of_range")
+        self.server.core(asking("display.show_text('Done')", "done"))
+        self.assertEqual(self.shown(display, "message"), {"text": "Done", "buttons": []})
+
     def test_a_sound_ends_when_the_display_reports_it(self):
         display = self.display(sound=True)
         core = self.server.core(asking("audio.play('beep', 0.5, 2)"))

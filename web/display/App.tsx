@@ -6,6 +6,7 @@ import type { Actions } from "./client";
 import { ControlBar } from "../control/ControlBar";
 import { StoppedBanner } from "../stop/StoppedBanner";
 import { NumberQuestion } from "./NumberQuestion";
+import { ProgressView } from "./ProgressView";
 
 interface Props {
   readonly page: DisplayPage;
@@ -52,6 +53,7 @@ function MessageView({ message, actions, usable }: { readonly message: DisplayMe
     <section aria-label="Message" className="message">
       {message.image !== undefined && <img src={message.image} alt="" />}
       {message.text !== "" && <p className="text">{message.text}</p>}
+      {message.progress !== undefined && <ProgressView text={message.text} progress={message.progress} />}
       {message.buttons.map((button) => (
         <button key={button} className="plain" disabled={!usable} onClick={() => actions.press(button)}>
           {button}

@@ -5,7 +5,7 @@ import type { JsonValue } from "../json";
 /** Places of `display` among the arguments of the operations that a person answers. */
 const kAsking: ReadonlyMap<string, number> = new Map([["ask", 2], ["choose", 2], ["ask_number", 5]]);
 /** And of those that show something. */
-const kShowing: ReadonlyMap<string, number> = new Map([["show_text", 2], ["show_image", 3]]);
+const kShowing: ReadonlyMap<string, number> = new Map([["show_text", 2], ["show_image", 3], ["show_progress", 2]]);
 
 export const isAsking = (operation: string): boolean => kAsking.has(operation);
 export const isShowing = (operation: string): boolean => kShowing.has(operation);

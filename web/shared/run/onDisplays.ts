@@ -69,6 +69,6 @@ export function unseenOf(told: OnDisplays, states: States): Unseen | undefined {
 
 /** What the displays of a call read; nothing: it has no text. */
 export function textOn(call: Call): string | undefined {
-  const text = call.operation === "show_image" ? (textArgument(call, "text", 1) ?? "a picture") : textArgument(call, call.operation === "show_text" ? "text" : "question", 0);
+  const text = call.operation === "show_image" ? (textArgument(call, "text", 1) ?? "a picture") : textArgument(call, isShowing(call.operation) ? "text" : "question", 0);
   return text === "" ? undefined : text;
 }

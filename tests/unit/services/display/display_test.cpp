@@ -65,10 +65,12 @@ TEST_P(DisplayInOrder, WithoutADisplayEveryOperationIsAnsweredNoDisplay) {
   call("ask", {"Go?"});
   call("choose", {"Which?", List{"a", "b"}});
   call("ask_number", {"How many?", 0, 5});
+  call("show_progress", {"Working", 0.5});
   call("ask", {"Go?"}, {{"display", "left"}});
   EXPECT_THAT(bench.responses(), ElementsAre("display.show_text !> no_display", "display.show_image !> no_display",
                                              "display.ask !> no_display", "display.choose !> no_display",
-                                             "display.ask_number !> no_display", "display.ask !> no_display"));
+                                             "display.ask_number !> no_display", "display.show_progress !> no_display",
+                                             "display.ask !> no_display"));
   EXPECT_EQ(complaint(), "display");
   EXPECT_EQ(state(), "Idle");
 }
@@ -239,6 +241,22 @@ TEST_P(DisplayInOrder, TellsWhoComesAndGoes) {
   EXPECT_THAT(events(), ElementsAre(R"(connected {"display":"main"})", R"(disconnected {"display":"main"})"));
 }
 
+TEST_P(DisplayInOrder, ShowsProgressUntilSomethingElseIsShown) {
+  connect("main");
+  call("show_progress", {"Calibrating", 0.25});
+  EXPECT_EQ(screens.content("main")->message, (Message{"Calibrating", "", {}, 0.25}));
+  call("ask", {"Go?"});
+  call("show_progress", {"Calibrating", 1});
+  EXPECT_EQ(screens.content("main")->message->progress, 1);
+  EXPECT_EQ(state(), "Asking");
+  answer("main", "OK");
+  call("show_text", {"Done"});
+  EXPECT_FALSE(screens.content("main")->message->progress);
+  call("show_progress", {"Calibrating", 0});
+  call("clear");
+  EXPECT_FALSE(screens.content("main")->message);
+}
+
 INSTANTIATE_TEST_SUITE_P(HereAndElsewhere, DisplayInOrder, testing::Bool());
 
 struct Wrong {
@@ -280,6 +298,12 @@ INSTANTIATE_TEST_SUITE_P(
                         Wrong{"show_text", {"x", List{""}}, {}, "out_of_range", "buttons"},
                         Wrong{"show_text", {"x", List(9, "x")}, {}, "out_of_range", "buttons"},
                         Wrong{"show_text", {"x", List{1}}, {}, "type", "buttons"},
+                        Wrong{"show_progress", {"x"}, {}, "missing", "progress"},
+                        Wrong{"show_progress", {"x", 1.01}, {}, "out_of_range", "progress"},
+                        Wrong{"show_progress", {"x", -0.01}, {}, "out_of_range", "progress"},
+                        Wrong{"show_progress", {"x", kNaN}, {}, "out_of_range", "progress"},
+                        Wrong{"show_progress", {"x", "half"}, {}, "type", "progress"},
+                        Wrong{"show_progress", {std::string(2001, 'x'), 0}, {}, "too_large", "text"},
                         Wrong{"show_image", {"scene.json"}, {}, "type", "image"},
                         Wrong{"show_image", {"none.png"}, {}, "not_found", "image"},
                         Wrong{"ask", {"Go?", List{}}, {}, "out_of_range", "buttons"},

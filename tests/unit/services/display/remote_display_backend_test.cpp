@@ -39,6 +39,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Asked{"show_text", "{}", "text: missing"}, Asked{"show_text", R"({"text": 1})", "text: type"},
                     Asked{"show_text", R"({"text": "x", "loud": 1})", ": type"},
                     Asked{"show_text", R"({"text": "x", "display": "a/b"})", "display: name"},
+                    Asked{"show_progress", R"({"text": "x", "progress": 2})", "progress: out_of_range"},
+                    Asked{"show_progress", R"({"text": "x", "progress": 1, "buttons": []})", ": type"},
                     Asked{"show_image", R"({"image": "secret.png"})", "image: not_found"},
                     Asked{"show_image", R"({"image": "data:text/html;base64,AAAA"})", "image: type"},
                     Asked{"ask", R"({"question": "Go?", "buttons": []})", "buttons: out_of_range"},
