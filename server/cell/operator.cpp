@@ -37,9 +37,9 @@ std::set<std::string> nodes_of(const OperatorScript& script) {
 
 Operator::Operator(OperatorScript script, display::Screens& screens, Log log)
     : script_(std::move(script)), screens_(screens), log_(std::move(log)), named_(nodes_of(script_)) {
-  for (const std::string& name : script_.displays) {
+  for (const auto& [name, place] : script_.displays) {
     if (displays_.contains(name)) continue;
-    if (auto connection = screens_.connect(name, true)) {
+    if (auto connection = screens_.connect(name, true, place)) {
       displays_.emplace(name, *connection);
     } else {
       log_("stands before no display `" + name + "`: " + connection.error().message);
@@ -237,7 +237,7 @@ void Operator::act(const Waiting& waiting, CellWorld& world) {
 
 void Operator::answer(const AnswerCommand& act, const Waiting& waiting) {
   std::string name = act.display.empty() ? waiting.display : act.display;
-  if (name.empty() && !script_.displays.empty()) name = script_.displays.front();
+  if (name.empty() && !script_.displays.empty()) name = script_.displays.front().name;
   const auto content = screens_.content(name);
   const bool press = content && !content->question && act.answer.is_string();
   const auto done = press ? screens_.press(name, act.answer.as_string()) : screens_.answer(name, act.answer);

@@ -132,6 +132,22 @@ const std::string* body_of(const PersonCommand& act) {
   return std::visit(Body(), act.what);
 }
 
+void check_word(const std::optional<std::string>& word, const char* of, Fields& fields) {
+  if (word && !display::is_display_name(*word))
+    fields.violation(ErrorCode::name, "`" + *word + "` cannot name a " + of);
+}
+
+/// {name, place?}, or the name alone.
+ScriptedDisplay read_scripted_display(const Value& value, const std::string& path, std::vector<Error>& errors) {
+  const Value object = value.is_string() ? Value(Dict{{"name", value}}) : value;
+  Fields fields(object, path, "the display", errors);
+  const auto name = fields.text("name", Need::required), place = fields.text("place");
+  fields.close();
+  check_word(name, "display", fields);
+  check_word(place, "place", fields);
+  return {name.value_or(""), place.value_or("")};
+}
+
 }  // namespace
 
 Checked<OperatorScript> read_operator_script(const Value& document) {
@@ -141,9 +157,9 @@ Checked<OperatorScript> read_operator_script(const Value& document) {
   if (version && !(*version == Value(1))) fields.violation(ErrorCode::version, "`operator` must be 1");
   fields.text("doc");
   OperatorScript script;
-  script.displays = fields.texts("displays");
-  for (const std::string& name : script.displays)
-    if (!display::is_display_name(name)) fields.violation(ErrorCode::name, "`" + name + "` cannot name a display");
+  const List& displays = fields.list("displays");
+  for (std::size_t i = 0; i < displays.size(); ++i)
+    script.displays.push_back(read_scripted_display(displays[i], at("displays", i), errors));
   const List& acts = fields.list("acts", Need::required);
   for (std::size_t i = 0; i < acts.size(); ++i) script.acts.push_back(read_scripted(acts[i], at("acts", i), errors));
   fields.close();

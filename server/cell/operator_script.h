@@ -51,8 +51,13 @@ struct ScriptedAct {
   std::string doc;
 };
 
+/// A display that the person stands before.
+struct ScriptedDisplay {
+  std::string name, place;  // place: empty: nowhere in particular
+};
+
 struct OperatorScript {
-  std::vector<std::string> displays;  // that the person stands before: they are connected and hear
+  std::vector<ScriptedDisplay> displays;  // they are connected and hear
   std::vector<ScriptedAct> acts;
 };
 

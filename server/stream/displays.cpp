@@ -56,9 +56,10 @@ std::optional<Source> Displays::source(const std::string& display) {
 }
 
 // Connected anew before the old one goes: a display that only learns to make sounds is never gone.
-Expected<void> Displays::announce(const std::shared_ptr<Subscriber>& subscriber, const std::string& name, bool sound) {
+Expected<void> Displays::announce(const std::shared_ptr<Subscriber>& subscriber, const std::string& name, bool sound,
+                                  const std::string& place) {
   const services::MutexLock lock(mutex_);
-  ASSIGN_OR_RETURN(const auto id, screens_.connect(name, sound));
+  ASSIGN_OR_RETURN(const auto id, screens_.connect(name, sound, place));
   const Connection before = std::exchange(connections_[subscriber.get()], {id, name});
   if (before.id != 0) screens_.disconnect(before.id);
   if (before.id != 0 && before.name != name) hub_.unsubscribe(subscriber, channel_of(before.name));

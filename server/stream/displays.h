@@ -28,9 +28,11 @@ class Displays final : public display::Watcher {
   /// The source of a display's channel; nothing if no such display has ever been connected.
   std::optional<Source> source(const std::string& display);
 
-  /// From now on `subscriber` is a connection of the display `name`, which may make sounds (`sound`), and gets its
-  /// channel; it is none of another one any more. Errors: those of Screens::connect.
-  Expected<void> announce(const std::shared_ptr<Subscriber>& subscriber, const std::string& name, bool sound);
+  /// From now on `subscriber` is a connection of the display `name`, which may make sounds (`sound`), at `place`
+  /// (empty: it names none), and gets its channel; it is none of another one any more. Errors: those of
+  /// Screens::connect.
+  Expected<void> announce(const std::shared_ptr<Subscriber>& subscriber, const std::string& name, bool sound,
+                          const std::string& place);
 
   // What a person did on the display that `subscriber` is. Errors: those of Screens; `conflict`: it is none.
 

@@ -55,8 +55,10 @@ void unsubscribe(Fields& fields, const Client& client, Errors& errors) {
 void announce(Fields& fields, const Client& client, Errors& errors) {
   const std::string name = fields.text("name", Fields::Need::required).value_or("");
   const bool sound = fields.boolean("sound").value_or(false);
+  const auto place = fields.text("place");
+  if (place && place->empty()) fields.violation(ErrorCode::name, "`place` is empty", "place");
   fields.close();
-  if (errors.empty()) report(client.to.displays.announce(client.subscriber, name, sound), errors);
+  if (errors.empty()) report(client.to.displays.announce(client.subscriber, name, sound, place.value_or("")), errors);
 }
 
 void answer(Fields& fields, const Client& client, Errors& errors) {

@@ -80,8 +80,10 @@ Expected<Question> read_question(const Dict& arguments) {
 
 Expected<std::string> read_target(const Dict& arguments) {
   const std::string& target = arguments.find("display")->as_string();
-  if (target == kAllDisplays || is_display_name(target)) return target;
-  return unexpected(ErrorCode::name, "argument `display` is `all` or 1 to 32 letters, digits, `_` or `-`", "display");
+  if (is_display_target(target)) return target;
+  return unexpected(ErrorCode::name,
+                    "argument `display` is `all`, or 1 to 32 letters, digits, `_` or `-`, with an `@` before a place",
+                    "display");
 }
 
 }  // namespace race::display

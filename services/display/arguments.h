@@ -21,7 +21,7 @@ inline constexpr std::size_t kUnitBytes = 16;
 Expected<Message> read_message(const Dict& arguments, const std::string& folder);
 /// Of ask, choose and ask_number.
 Expected<Question> read_question(const Dict& arguments);
-/// `display`: "all", or a name. Error `name`.
+/// `display`: "all", a name, or `@` and a place. Error `name`.
 Expected<std::string> read_target(const Dict& arguments);
 
 }  // namespace race::display

@@ -79,10 +79,10 @@ void Display::take_events() {
         host().event("button", Dict{{"button", event.value}, {"display", display}});
         break;
       case DisplayEvent::Kind::connected:
-        host().event("connected", Dict{{"display", display}});
+        host().event("connected", Dict{{"display", display}, {"place", Value(event.place)}});
         break;
       case DisplayEvent::Kind::disconnected:
-        host().event("disconnected", Dict{{"display", display}});
+        host().event("disconnected", Dict{{"display", display}, {"place", Value(event.place)}});
         break;
     }
   }

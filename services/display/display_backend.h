@@ -23,6 +23,7 @@ struct DisplayEvent {
   std::string display;
   Value value = {};            // the answer, or the button
   std::uint64_t question = 0;  // that was answered
+  std::string place = {};      // of `connected` and `disconnected`: where the display is, or was; empty: nowhere
   bool operator==(const DisplayEvent&) const = default;
 };
 
@@ -32,8 +33,8 @@ struct Playback {
   std::vector<std::string> reported;  // displays that have played it, by name
 };
 
-// `target`: a display's name, or "all" (kAllDisplays). Error `not_found`, with the path `display`: it is not connected,
-// or none is. Where the Screens are the server's, `unavailable`: the connection to it has ended.
+// `target`: a display's name, `@` and a place, or "all" (kAllDisplays). Error `not_found`, with the path `display`: it
+// is not connected, or none is. Where the Screens are the server's, `unavailable`: the connection to it has ended.
 
 /// Sends a request to the server that has the Screens and waits for its answer. Error `unavailable`: the connection has
 /// ended.

@@ -10,7 +10,9 @@ using services::OperationRow;
 using services::ParameterRow;
 using services::TransitionRow;
 
-ParameterRow target() { return {.name = "display", .type = "string", .value = "all"}; }
+ParameterRow target() {
+  return {.name = "display", .type = "string", .value = "all", .doc = "a name, @PLACE for all at a place, or all"};
+}
 
 ParameterRow question_text() { return {.name = "question", .type = "string"}; }
 
@@ -33,13 +35,13 @@ OperationRow row(std::string name, services::Handler handler, std::vector<Parame
 Value answer_type(const char* answer) { return types::record({{"answer", answer}, {"display", "string"}}); }
 
 std::vector<services::EventRow> events() {
-  const Value display = types::record({{"display", "string"}});
+  const Value display = types::record({{"display", "string"}, {"place", "string"}});
   return {
       {.name = "answer", .data = answer_type("any"), .doc = "A question was answered."},
       {.name = "button",
        .data = types::record({{"button", "string"}, {"display", "string"}}),
        .doc = "A button of what is shown was pressed."},
-      {.name = "connected", .data = display, .doc = "A display is there."},
+      {.name = "connected", .data = display, .doc = "A display is there, or at another place."},
       {.name = "disconnected", .data = display, .doc = "A display is gone."},
   };
 }

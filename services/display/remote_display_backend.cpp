@@ -21,19 +21,20 @@ Value event_json(const DisplayEvent& event) {
   return Dict{{"kind", kEventKinds[static_cast<std::size_t>(event.kind)]},
               {"display", event.display},
               {"value", event.value},
-              {"question", static_cast<std::int64_t>(event.question)}};
+              {"question", static_cast<std::int64_t>(event.question)},
+              {"place", event.place}};
 }
 
 std::optional<DisplayEvent> read_event(const Value& json) {
   const Value *kind = json.find("kind"), *display = json.find("display"), *value = json.find("value"),
-              *question = json.find("question");
+              *question = json.find("question"), *place = json.find("place");
   if (!kind || !kind->is_string() || !display || !display->is_string() || !value || !question ||
-      !question->is_integer())
+      !question->is_integer() || !place || !place->is_string())
     return std::nullopt;
   const auto known = std::ranges::find(kEventKinds, kind->as_string());
   if (known == kEventKinds.end()) return std::nullopt;
   return DisplayEvent{static_cast<DisplayEvent::Kind>(known - kEventKinds.begin()), display->as_string(), *value,
-                      static_cast<std::uint64_t>(question->as_integer())};
+                      static_cast<std::uint64_t>(question->as_integer()), place->as_string()};
 }
 
 // ---- The functions, at the server. What a process asks is held to what its component lets through.

@@ -20,6 +20,11 @@ Expected<void> check_answer(const Question& question, const Value& answer) {
   return {};
 }
 
+/// Of a target; empty: it names none.
+std::string_view place_of(std::string_view target) {
+  return target.starts_with('@') ? target.substr(1) : std::string_view();
+}
+
 }  // namespace
 
 bool is_display_name(std::string_view name) {
@@ -30,22 +35,30 @@ bool is_display_name(std::string_view name) {
   return !name.empty() && name.size() <= kLength && std::ranges::all_of(name, fits) && name != kAllDisplays;
 }
 
-Expected<Screens::ConnectionId> Screens::connect(const std::string& display, bool sound) {
+bool is_display_target(std::string_view target) {
+  return target == kAllDisplays || is_display_name(target.starts_with('@') ? place_of(target) : target);
+}
+
+Expected<Screens::ConnectionId> Screens::connect(const std::string& display, bool sound, const std::string& place) {
   if (!is_display_name(display))
     return unexpected(ErrorCode::name, "a display's name has 1 to 32 letters, digits, `_` or `-`, and is not `all`",
                       "name");
+  if (!place.empty() && !is_display_name(place))
+    return unexpected(ErrorCode::name, "a place has 1 to 32 letters, digits, `_` or `-`, and is not `all`", "place");
   const services::MutexLock lock(mutex_);
   if (!displays_.contains(display)) {
     if (!make_room())
       return unexpected(ErrorCode::conflict, std::to_string(kDisplays) + " displays are connected already", "name");
-    displays_[display].message = everywhere_;
+    displays_[display].shown = everywhere_;
   }
   const ConnectionId id = next_id_++;
   ++revision_;
-  connections_[id] = {display, sound};
-  auto& all = displays_[display].connections;
-  all.insert(id);
-  if (all.size() == 1) (void)enqueue({DisplayEvent::Kind::connected, display});
+  connections_[id] = {display, sound, place};
+  Display& connected = displays_[display];
+  connected.connections.insert(id);
+  const bool moved = update_place(display, connected);
+  if (moved || connected.connections.size() == 1)
+    (void)enqueue({DisplayEvent::Kind::connected, display, {}, 0, connected.place});
   return id;
 }
 
@@ -57,9 +70,12 @@ void Screens::disconnect(ConnectionId connection) {
   connections_.erase(known);
   ++revision_;
   playing_.erase(connection);
-  auto& rest = displays_[display].connections;
-  rest.erase(connection);
-  if (rest.empty()) (void)enqueue({DisplayEvent::Kind::disconnected, display});
+  Display& left = displays_[display];
+  left.connections.erase(connection);
+  if (left.connections.empty())
+    (void)enqueue({DisplayEvent::Kind::disconnected, display, {}, 0, left.place});
+  else if (update_place(display, left))
+    (void)enqueue({DisplayEvent::Kind::connected, display, {}, 0, left.place});
 }
 
 Expected<void> Screens::answer(const std::string& display, Value answer, std::optional<std::uint64_t> question) {
@@ -79,7 +95,8 @@ Expected<void> Screens::answer(const std::string& display, Value answer, std::op
 Expected<void> Screens::press(const std::string& display, const std::string& button) {
   const services::MutexLock lock(mutex_);
   ASSIGN_OR_RETURN(const Display* shown, find_connected(display));
-  if (!shown->message || std::ranges::count(shown->message->buttons, button) == 0)
+  const std::optional<Message>& message = shown->shown.message;
+  if (!message || std::ranges::count(message->buttons, button) == 0)
     return unexpected(ErrorCode::conflict, "the display does not show this button, or not any more", "button");
   Value value(button);
   return enqueue({DisplayEvent::Kind::pressed, display, std::move(value.freeze())});
@@ -124,9 +141,14 @@ void Screens::repeat(const std::string& display) {
 Expected<void> Screens::show(const std::string& target, Message message) {
   const services::MutexLock lock(mutex_);
   if (auto connected = require_connected(target); !connected) return connected;
+  const std::uint64_t order = next_id_++;
+  const auto show_on = [&](Shown& shown) {
+    shown.message = message;
+    shown.order = order;
+  };
   for (auto& [name, display] : displays_)
-    if (reaches(target, name)) display.message = message;
-  if (target == kAllDisplays) everywhere_ = std::move(message);
+    if (reaches(target, name, display)) show_on(display.shown);
+  if (Shown* later = remembered(target)) show_on(*later);
   notify_watcher(target);
   return {};
 }
@@ -138,21 +160,23 @@ Expected<std::uint64_t> Screens::ask(const std::string& target, Question questio
   question.id = next_id_++;
   question_ = std::move(question);
   question_target_ = target;
-  for (auto& [name, display] : displays_) display.without_question = false;
+  for (auto& [name, display] : displays_) display.shown.without_question = false;
+  for (auto& [name, shown] : places_) shown.without_question = false;
+  everywhere_.without_question = false;
   notify_watcher(target);
   return question_->id;
 }
 
 Expected<bool> Screens::clear(const std::string& target) {
   const services::MutexLock lock(mutex_);
-  if (target != kAllDisplays && !displays_.contains(target))
+  const bool known =
+      std::ranges::any_of(displays_, [&](const auto& each) { return reaches(target, each.first, each.second); });
+  if (target != kAllDisplays && !known && !places_.contains(std::string(place_of(target))))
     if (auto connected = require_connected(target); !connected) return tl::unexpected(std::move(connected).error());
-  if (target == kAllDisplays) everywhere_.reset();
-  for (auto& [name, display] : displays_) {
-    if (!reaches(target, name)) continue;
-    display.message.reset();
-    display.without_question = true;
-  }
+  const Shown cleared{std::nullopt, true, next_id_++};
+  for (auto& [name, display] : displays_)
+    if (reaches(target, name, display)) display.shown = cleared;
+  if (Shown* later = remembered(target)) *later = cleared;
   const bool shown = std::ranges::any_of(
       displays_, [&](const auto& each) REQUIRES(mutex_) { return shows_question(each.first, each.second); });
   const bool gone = question_ && !shown;
@@ -182,7 +206,7 @@ Expected<std::uint64_t> Screens::play(const std::string& target, Sound sound) {
   const services::MutexLock lock(mutex_);
   std::set<ConnectionId> speakers;
   for (const auto& [id, connection] : connections_)
-    if (connection.sound && reaches(target, connection.display)) speakers.insert(id);
+    if (connection.sound && reaches(target, connection.display, displays_[connection.display])) speakers.insert(id);
   if (speakers.empty())
     return unexpected(ErrorCode::not_found, "no display that may make sounds is connected as " + quote(target),
                       "display");
@@ -208,25 +232,65 @@ Playback Screens::playback() {
   return {playing_.size(), {played_.begin(), played_.end()}};
 }
 
-bool Screens::reaches(const std::string& target, const std::string& display) const {
-  return target == kAllDisplays || target == display;
+bool Screens::reaches(const std::string& target, const std::string& name, const Display& display) {
+  if (target == kAllDisplays || target == name) return true;
+  return !display.place.empty() && place_of(target) == display.place;
+}
+
+/// After a connection has come or gone. Whether the display is elsewhere now.
+bool Screens::update_place(const std::string& name, Display& display) {
+  std::string place;
+  for (const ConnectionId id : display.connections)
+    if (const std::string& named = connections_[id].place; !named.empty()) place = named;
+  if (place == display.place) return false;
+  display.place = std::move(place);
+  if (const auto here = places_.find(display.place); here != places_.end()) {
+    const bool cleared = display.shown.without_question;
+    if (here->second.order > display.shown.order) display.shown = here->second;
+    display.shown.without_question |= cleared;
+  }
+  if (watcher_) watcher_->changed(content_of(name, display));
+  return true;
+}
+
+/// What displays show that are reached by `target` later; nullptr: only one that is there is.
+Screens::Shown* Screens::remembered(const std::string& target) {
+  if (target == kAllDisplays) {
+    places_.clear();  // older than what follows
+    return &everywhere_;
+  }
+  if (place_of(target).empty()) return nullptr;
+  Shown& place = places_[std::string(place_of(target))];
+  if (places_.size() > kDisplays) forget_a_place();
+  return &place;
+}
+
+/// The one where nothing was shown for the longest time, and where no display is that is known: those are at most
+/// kDisplays.
+void Screens::forget_a_place() {
+  auto oldest = places_.end();
+  for (auto each = places_.begin(); each != places_.end(); ++each) {
+    const bool used = std::ranges::any_of(displays_, [&](const auto& one) { return one.second.place == each->first; });
+    if (!used && (oldest == places_.end() || each->second.order < oldest->second.order)) oldest = each;
+  }
+  if (oldest != places_.end()) places_.erase(oldest);
 }
 
 bool Screens::shows_question(const std::string& name, const Display& display) const {
-  return question_ && reaches(question_target_, name) && !display.without_question;
+  return question_ && reaches(question_target_, name, display) && !display.shown.without_question;
 }
 
 Content Screens::content_of(const std::string& name, const Display& display) const {
-  Content content{name, display.message, std::nullopt, std::nullopt};
+  Content content{name, display.shown.message, std::nullopt, std::nullopt};
   if (shows_question(name, display)) content.question = question_;
-  if (sound_ && reaches(sound_target_, name)) content.sound = sound_;
+  if (sound_ && reaches(sound_target_, name, display)) content.sound = sound_;
   return content;
 }
 
 void Screens::notify_watcher(const std::string& target) const {
   if (!watcher_) return;
   for (const auto& [name, display] : displays_)
-    if (reaches(target, name)) watcher_->changed(content_of(name, display));
+    if (reaches(target, name, display)) watcher_->changed(content_of(name, display));
 }
 
 // One more name: a display that is not connected makes way.
@@ -248,8 +312,11 @@ Expected<Screens::Display*> Screens::find_connected(const std::string& display) 
 
 Expected<void> Screens::require_connected(const std::string& target) const {
   for (const auto& [name, display] : displays_)
-    if (reaches(target, name) && !display.connections.empty()) return {};
-  const std::string what = target == kAllDisplays ? "no display" : "no display named " + quote(target);
+    if (reaches(target, name, display) && !display.connections.empty()) return {};
+  const std::string_view place = place_of(target);
+  const std::string what = target == kAllDisplays ? "no display"
+                           : place.empty()        ? "no display named " + quote(target)
+                                                  : "no display at the place " + quote(place);
   return unexpected(ErrorCode::not_found, what + " is connected", "display");
 }
 

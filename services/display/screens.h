@@ -5,6 +5,10 @@
 // keeps its content when its last connection ends, and shows it again after a reconnect. The name "all" (kAllDisplays)
 // means every display, also one that connects later.
 //
+// A display may be at a place, such as `gripper`: that of its newest connection that names one; while it is not
+// connected, where it was. "@gripper" means every display at that place, also one that comes there later: what was
+// shown last by its name, at its place or everywhere is what it shows.
+//
 // A client (such as an operator script) connects once and then, on any thread:
 //
 //   const auto me = screens.connect("main", true);           // ConnectionId: it also makes sounds
@@ -36,8 +40,10 @@ namespace race::display {
 
 inline constexpr std::string_view kAllDisplays = "all";
 
-/// Letters, digits, `_` and `-`, 1 to 32 of them, and not "all".
+/// Letters, digits, `_` and `-`, 1 to 32 of them, and not "all". Places have such names, too.
 bool is_display_name(std::string_view name);
+/// "all", the name of a display, or `@` and the name of a place.
+bool is_display_target(std::string_view target);
 
 /// Sees what displays show.
 class Watcher {
@@ -52,7 +58,7 @@ class Watcher {
 class Screens final : public DisplayBackend, public Speakers {
  public:
   using ConnectionId = std::uint64_t;
-  static constexpr std::size_t kDisplays = 64;           // names that are remembered
+  static constexpr std::size_t kDisplays = 64;           // names that are remembered, and places
   static constexpr std::size_t kMaxPendingEvents = 256;  // that wait for the service
 
   Screens() = default;
@@ -61,8 +67,9 @@ class Screens final : public DisplayBackend, public Speakers {
 
   // ---- For clients that show the content.
 
-  /// A connection of `display`, which may make sounds. Errors: `name`, `conflict` (kDisplays are connected).
-  Expected<ConnectionId> connect(const std::string& display, bool sound);
+  /// A connection of `display`, which may make sounds, at `place` (empty: it names none). Errors: `name`, `conflict`
+  /// (kDisplays are connected).
+  Expected<ConnectionId> connect(const std::string& display, bool sound, const std::string& place = {});
   void disconnect(ConnectionId connection);
   /// Answers the question that `display` shows: a button's text, or a finite number in its range. With `question` only
   /// if it is the one of that id. The first answer counts; the question is gone with it. Errors: `not_found` (no such
@@ -99,17 +106,27 @@ class Screens final : public DisplayBackend, public Speakers {
   std::uint64_t revision() const { return revision_; }
 
  private:
+  /// What was shown somewhere.
+  struct Shown {
+    std::optional<Message> message;
+    bool without_question = false;  // the question was cleared here
+    std::uint64_t order = 0;        // of the last change; the newest counts
+  };
   struct Display {
     std::set<ConnectionId> connections;
-    std::optional<Message> message;
-    bool without_question = false;  // the question was cleared on this display
+    std::string place;  // where it is, or was when it was connected last; empty: nowhere in particular
+    Shown shown;
   };
   struct Connection {
     std::string display;
     bool sound = false;
+    std::string place;
   };
 
-  bool reaches(const std::string& target, const std::string& display) const;
+  static bool reaches(const std::string& target, const std::string& name, const Display& display);
+  bool update_place(const std::string& name, Display& display) REQUIRES(mutex_);
+  Shown* remembered(const std::string& target) REQUIRES(mutex_);
+  void forget_a_place() REQUIRES(mutex_);
   Content content_of(const std::string& name, const Display& display) const REQUIRES(mutex_);
   void notify_watcher(const std::string& target) const REQUIRES(mutex_);
   bool make_room() REQUIRES(mutex_);
@@ -123,7 +140,8 @@ class Screens final : public DisplayBackend, public Speakers {
   std::map<std::string, Display> displays_ GUARDED_BY(mutex_);
   std::map<ConnectionId, Connection> connections_ GUARDED_BY(mutex_);
   std::vector<DisplayEvent> events_ GUARDED_BY(mutex_);
-  std::optional<Message> everywhere_ GUARDED_BY(mutex_);  // what a new display shows
+  Shown everywhere_ GUARDED_BY(mutex_);                     // what a new display shows
+  std::map<std::string, Shown> places_ GUARDED_BY(mutex_);  // what one that comes to a place shows, if that is newer
   std::optional<Question> question_ GUARDED_BY(mutex_);
   std::string question_target_ GUARDED_BY(mutex_);
   std::optional<Sound> sound_ GUARDED_BY(mutex_);

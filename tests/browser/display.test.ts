@@ -103,6 +103,22 @@ describe("a phone as display", () => {
     expect(await page.getByRole("region", { name: "Question" }).count()).toBe(0);
   });
 
+  it("shows how much is done, at the place in its address", async () => {
+    const context = await fixture.openContext({ ...devices["Pixel 7"] });
+    page = await context.newPage();
+    await page.goto(`${fixture.url}/display/?name=arm&place=gripper`);
+    await status(page, "Connected");
+    await run("display.show_progress('Calibrating the camera', 0.4, display='@gripper')");
+    const bar = page.getByRole("progressbar", { name: "Calibrating the camera" });
+    await bar.waitFor();
+    expect(await bar.evaluate((element) => (element as HTMLProgressElement).position)).toBeCloseTo(0.4);
+    await page.getByText("40 %", { exact: true }).waitFor();
+    await fixture.screenshot("display-progress", page);
+    await run("display.show_text('Done', display='@gripper')");
+    await page.getByText("Done", { exact: true }).waitFor();
+    expect(await bar.count()).toBe(0);
+  });
+
   it("has buttons large enough for a thumb, all within the screen", async () => {
     page = await phone();
     await run("display.ask_number('How wide is the part?', -0.5, 0.11, 'm')");

@@ -26,11 +26,11 @@ class DisplayCase(unittest.TestCase):
             stream.close()
         self.server.stop()
 
-    def display(self, name="main", sound=False):
+    def display(self, name="main", sound=False, **more):
         """A connected display that has received its first content."""
         stream = self.server.stream()
         self.streams.append(stream)
-        stream.send_checked({"type": "display", "name": name, "sound": sound})
+        stream.send_checked({"type": "display", "name": name, "sound": sound, **more})
         first = stream.message()
         self.assertEqual((first["channel"], first["kind"]), (f"display/{name}", "snapshot"))
         return stream
@@ -91,6 +91,31 @@ class Displays(DisplayCase):
         self.server.core(asking("display.show_text('Hello', display='right')", "shown"))
         self.assertEqual(self.shown(display, "message"), {"text": "Hello", "buttons": []})
 
+    def test_a_place_reaches_the_displays_that_are_there(self):
+        left, right = self.display("left", place="gripper"), self.display("right")
+        self.assertEqual(self.code(self.server.core(asking("display.ask('Go?', display='@door')"))), "no_display")
+        core = self.server.core(asking("display.ask('Go?', ['Yes'], display='@gripper')", "at_place"))
+        question = self.shown(left, "question")
+        late = self.server.stream()
+        self.streams.append(late)
+        late.send_checked({"type": "display", "name": "late", "place": "gripper"})
+        self.assertEqual(self.shown(late, "question"), question, "one that comes there later shows it, too")
+        right.send_checked({"type": "answer", "question": question["id"], "answer": "Yes"})
+        self.assertEqual(right.until(lambda m: m["kind"] == "error")[-1]["data"]["errors"][0]["code"], "conflict")
+        late.send_checked({"type": "answer", "question": question["id"], "answer": "Yes"})
+        self.assertEqual(self.server.ended(core)["results"]["answer"], {"answer": "Yes", "display": "late"})
+
+    def test_a_task_hears_where_displays_come_and_go(self):
+        core = self.server.core(models.document("watching", {
+            "state": "Root", "results": [{"name": "came"}, {"name": "went"}],
+            "actions": [{"when": "svc.display.connected", "do": "res.came = svc.display.connected"},
+                        {"when": "svc.display.disconnected", "do": "res.went = svc.display.disconnected"}],
+            "ports": [{"name": "gone", "when": "available(res.went)"}]}))
+        display = self.display("phone", place="gripper")
+        display.close()
+        results = self.server.ended(core)["results"]
+        self.assertEqual(results, {"came": {"display": "phone", "place": "gripper"}, "went": {"display": "phone", "place": "gripper"}})
+
     def test_progress_is_shown_until_something_else_is(self):
         display = self.display()
         self.server.core(asking("display.show_progress('Calibrating', 0.4)"))
@@ -125,7 +150,9 @@ class Displays(DisplayCase):
     def test_invalid_messages_of_a_display_are_refused(self):
         wrong = [({"type": "display"}, "missing"), ({"type": "display", "name": "all"}, "name"),
                  ({"type": "display", "name": "a/b"}, "name"), ({"type": "display", "name": "a", "sound": 1}, "type"),
-                 ({"type": "display", "name": "a", "loud": True}, "unknown_field"), ({"type": "answer"}, "missing"),
+                 ({"type": "display", "name": "a", "place": "a/b"}, "name"), ({"type": "display", "name": "a", "place": ""}, "name"),
+                 ({"type": "display", "name": "a", "place": 1}, "type"), ({"type": "display", "name": "a", "loud": True}, "unknown_field"),
+                 ({"type": "answer"}, "missing"),
                  ({"type": "answer", "question": "1", "answer": "x"}, "type"),
                  ({"type": "answer", "question": 1, "answer": "x"}, "conflict"),
                  ({"type": "press", "button": "x"}, "conflict"), ({"type": "press", "button": 1}, "type"),

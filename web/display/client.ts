@@ -30,8 +30,8 @@ export interface Actions {
 /** Longer than the delay between the end of a touch and its click event [ms]. */
 const kTap = 400;
 
-/** Runs until the page is closed; `draw` gets each new state, and `drawLogin` what logs in while the server asks for that. */
-export function connect(name: string, draw: (page: DisplayPage, actions: Actions) => void, drawLogin: (logIn: (name: string, password: string) => Promise<void>) => void): void {
+/** Runs until the page is closed, as a display of this name, at this place; `draw` gets each new state, and `drawLogin` what logs in while the server asks for that. */
+export function connect(name: string, place: string | undefined, draw: (page: DisplayPage, actions: Actions) => void, drawLogin: (logIn: (name: string, password: string) => Promise<void>) => void): void {
   let page = firstPage(name);
   let playing: number | undefined;
   const player = createPlayer();
@@ -98,7 +98,7 @@ export function connect(name: string, draw: (page: DisplayPage, actions: Actions
   function soundsAllowed(): void {
     if (page.sound) return;
     dispatch({ type: "sound" });
-    stream.announceDisplay(name, true);
+    stream.announceDisplay(name, true, place);
   }
   for (const touch of ["pointerup", "keydown"]) document.addEventListener(touch, unlock, { once: true });
   document.addEventListener("keydown", (event) => {
@@ -106,7 +106,7 @@ export function connect(name: string, draw: (page: DisplayPage, actions: Actions
     if (key !== undefined && page.content?.question !== undefined && "number" in page.content.question) actions.key(key);
   });
 
-  stream.announceDisplay(name, false);
+  stream.announceDisplay(name, false, place);
   stream.subscribe("control");
   show();
 }

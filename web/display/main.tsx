@@ -1,4 +1,4 @@
-// Entry of the display page: a display of the name in the address, `?name=`.
+// Entry of the display page: a display of the name in the address, `?name=`, at the place there, `?place=`.
 import "@fontsource-variable/inter";
 import "./tokens.css";
 import "./display.css";
@@ -6,7 +6,7 @@ import "../stop/tokens.css";
 import "../stop/stop.css";
 import "../control/control.css";
 import { createRoot } from "react-dom/client";
-import { nameOf } from "../shared/display/page";
+import { nameOf, placeOf } from "../shared/display/page";
 import { App } from "./App";
 import { connect } from "./client";
 import { followControls } from "../control/page";
@@ -26,6 +26,7 @@ if (name === undefined) {
   document.title = `${name} · RACE Display`;
   connect(
     name,
+    placeOf(location.search),
     (page, actions) => root.render(<App page={page} actions={actions} />),
     (logIn) => root.render(<Login logIn={logIn} />),
   );

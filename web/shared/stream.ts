@@ -22,8 +22,8 @@ export interface Stream {
   /** From its snapshot on; of a channel that is subscribed, the snapshot comes once more. */
   subscribe(channel: string): void;
   unsubscribe(channel: string): void;
-  /** Makes this page a display, now and after each reconnect; its channel is subscribed with that. */
-  announceDisplay(name: string, sound: boolean): void;
+  /** Makes this page a display, at a place if one is named, now and after each reconnect; its channel is subscribed with that. */
+  announceDisplay(name: string, sound: boolean, place?: string): void;
   /** Sends what a user does; false if the connection is lost. */
   send(request: Exact<OwnRequest>): boolean;
   /** Connects at once, if it waits for its next attempt. */
@@ -145,8 +145,8 @@ export function openStream(url: () => string | Promise<string>, handlers: Stream
       seen.delete(channel);
       send({ type: "unsubscribe", channel });
     },
-    announceDisplay(name, sound) {
-      display = { type: "display", name, sound };
+    announceDisplay(name, sound, place) {
+      display = { type: "display", name, sound, ...(place === undefined ? {} : { place }) };
       send(display);
     },
     send,

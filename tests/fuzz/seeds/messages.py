@@ -11,6 +11,7 @@ COMPOUND = [
 # Of the display, question and sound that stream.cpp has there.
 DISPLAY = [
     {"type": "display", "name": "main", "sound": True}, {"type": "press", "button": "Stop"},
+    {"type": "display", "name": "main", "place": "gripper"},
     {"type": "answer", "question": 2, "answer": 0.5}, {"type": "played", "sound": 3},
     {"type": "subscribe", "channel": "core/1/state"}, {"type": "subscribe", "channel": "cell/pose", "since": 1},
     {"type": "unsubscribe", "channel": "core/1/state"},
@@ -33,6 +34,8 @@ SCREENS = [
     {"type": "request", "key": "display", "number": 1, "function": "ask",
      "arguments": {"text": "Go on?", "buttons": ["Yes"], "display": "all"}},
     {"type": "request", "key": "display", "number": 2, "function": "take", "arguments": {}},
+    {"type": "request", "key": "display", "number": 5, "function": "show_progress",
+     "arguments": {"text": "Calibrating", "progress": 0.4, "display": "@gripper"}},
     {"type": "request", "key": "audio", "number": 3, "function": "play", "arguments": {"sound": "done"}},
     {"type": "request", "key": "audio", "number": 4, "function": "playback", "arguments": {}},
 ]

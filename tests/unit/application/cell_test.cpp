@@ -48,6 +48,36 @@ TEST(Cell, AStepThatFailsIsReportedOnceAndTheCellGoesOn) {
   services::set_failure_handler({});
 }
 
+TEST(Operator, StandsBeforeDisplaysAtTheirPlaces) {
+  display::Screens screens;
+  auto script = read_operator_text(R"({"operator": 1, "acts": [],
+    "displays": ["main", {"name": "phone", "place": "gripper"}, {"name": "panel"}]})");
+  ASSERT_TRUE(script) << to_string(script.error().front());
+  const Operator person(std::move(*script), screens, [](const std::string& line) { ADD_FAILURE() << line; });
+  ASSERT_TRUE(screens.show("@gripper", {"Lead the arm", "", {}}));
+  EXPECT_TRUE(screens.content("phone")->message);
+  EXPECT_FALSE(screens.content("main")->message);
+  EXPECT_FALSE(screens.content("panel")->message);
+}
+
+TEST(Operator, StandsBeforeNoDisplayThatCannotBe) {
+  struct Wrong {
+    const char *display, *path;
+    ErrorCode code;
+  };
+  for (const Wrong& wrong : {Wrong{"\"a b\"", "displays/0", ErrorCode::name}, Wrong{"7", "displays/0", ErrorCode::type},
+                             Wrong{R"({"place": "gripper"})", "displays/0", ErrorCode::missing},
+                             Wrong{R"({"name": "phone", "place": "@gripper"})", "displays/0", ErrorCode::name},
+                             Wrong{R"({"name": "phone", "at": "gripper"})", "displays/0", ErrorCode::unknown_field}}) {
+    const auto script =
+        read_operator_text(R"({"operator": 1, "acts": [], "displays": [)" + std::string(wrong.display) + "]}");
+    ASSERT_FALSE(script) << wrong.display;
+    ASSERT_EQ(script.error().size(), 1U) << wrong.display;
+    EXPECT_EQ(script.error()[0].code, wrong.code) << wrong.display;
+    EXPECT_EQ(script.error()[0].path, wrong.path) << wrong.display;
+  }
+}
+
 TEST(Operator, RemembersOnlyNodesThatItsScriptNamesAndOfCoresThatAreThere) {
   display::Screens screens;
   auto script = read_operator_text(R"({"operator": 1, "acts": [

@@ -1,5 +1,5 @@
 // What is read on the displays now, so that who sits at this page reads it too; and that this page is a display, with the way out.
-import { displayAddress, displayOf, isAsking } from "../../shared/run/displayCalls";
+import { displayAddress, displayOf, displaysText, isAsking } from "../../shared/run/displayCalls";
 import { isOver } from "../../shared/run/controls";
 import { textOn } from "../../shared/run/onDisplays";
 import { useCore, useSession } from "../client";
@@ -19,7 +19,7 @@ export function OnDisplays() {
     <div className="on-displays">
       {call !== undefined && text !== undefined && (
         <p role="status" aria-label="On the displays">
-          {call === unseen?.call ? "No display is connected, so this is shown nowhere" : displayOf(call) === "all" ? "Told on every display" : `Told on the display ${displayOf(call)}`}: <strong>{text}</strong>{" "}
+          {call === unseen?.call ? "No display is connected, so this is shown nowhere" : `Told on ${displaysText(displayOf(call))}`}: <strong>{text}</strong>{" "}
           <a href={displayAddress(displayOf(call))} target="_blank" rel="noreferrer">
             Open a display
           </a>

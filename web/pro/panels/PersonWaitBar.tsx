@@ -1,5 +1,5 @@
 // The run waits for a person: what is asked, the answers, and the way to the page of a display; or that no display is there to ask on.
-import { displayAddress, displayOf, isAsking, ownDisplayFor } from "../../shared/run/displayCalls";
+import { displayAddress, displayOf, displaysText, isAsking, ownDisplayFor, placeOf } from "../../shared/run/displayCalls";
 import { textOn, type Unseen } from "../../shared/run/onDisplays";
 import { askPairing } from "../pairing/pairing";
 import { useRefusal } from "../login/rights";
@@ -18,7 +18,7 @@ export function PersonWaitBar() {
       <div>
         <strong>Waiting for a person{wait.question === undefined ? "" : `: ${wait.question}`}</strong>
         <p>
-          Asked by <code>{`svc.${wait.service}.${wait.operation}`}</code> on {wait.display === "all" ? "every display" : `the display ${wait.display}`}.{" "}
+          Asked by <code>{`svc.${wait.service}.${wait.operation}`}</code> on {displaysText(wait.display)}.{" "}
           <a href={displayAddress(wait.display)} target="_blank" rel="noreferrer">
             Open a display
           </a>
@@ -32,13 +32,15 @@ export function PersonWaitBar() {
 function NoDisplay({ unseen: { call, isHeard } }: { readonly unseen: Unseen }) {
   const display = displayOf(call);
   const question = textOn(call);
+  const place = placeOf(display);
+  const missing = place !== undefined ? `No display is connected at ${place}` : display === "all" ? "No display is connected" : `The display ${display} is not connected`;
   const refusal = useRefusal("be_display");
   return (
     <div className="interruption person-wait" role="alert" aria-label="Waiting for a display">
       <Icon name="interrupted" />
       <div>
         <strong>
-          {!isHeard ? "No display has taken the question" : display === "all" ? "No display is connected: nobody was asked" : `The display ${display} is not connected: nobody was asked`}
+          {isHeard ? `${missing}: nobody was asked` : "No display has taken the question"}
           {question === undefined ? "" : ` “${question}”`}
         </strong>
         <p>
@@ -47,7 +49,7 @@ function NoDisplay({ unseen: { call, isHeard } }: { readonly unseen: Unseen }) {
         </p>
       </div>
       <div className="answers" role="group" aria-label="Ways to a display">
-        <button type="button" disabled={refusal !== undefined} title={refusal ?? `This page becomes the display ${ownDisplayFor(display)}`} onClick={() => becomeDisplay(ownDisplayFor(display))}>
+        <button type="button" disabled={refusal !== undefined} title={refusal ?? `This page becomes the display ${ownDisplayFor(display)}`} onClick={() => becomeDisplay(display)}>
           Answer on this page
         </button>
         <a href={displayAddress(display)} target="_blank" rel="noreferrer">

@@ -2,7 +2,7 @@
 import { openStream, type Stream } from "../../shared/stream";
 import { ownStream } from "../client";
 import { giving } from "../../shared/display/giving";
-import { ownDisplayFor } from "../../shared/run/displayCalls";
+import { ownDisplayFor, placeOf } from "../../shared/run/displayCalls";
 import type { PersonWait } from "../../shared/run/waitingForPerson";
 
 /** [ms] */
@@ -36,7 +36,7 @@ export function giveAnswer({ question, display }: Pick<PersonWait, "question" | 
         }
       },
     });
-    stream.announceDisplay(ownDisplayFor(display), false);
+    stream.announceDisplay(ownDisplayFor(display), false, placeOf(display));
   });
   return given.finally(() => {
     clearTimeout(timer);

@@ -1,5 +1,6 @@
 // This page as a display, once a person wants that: what a task shows is shown by its bars, and a question is answered there.
 import { openStream, type Stream } from "../../shared/stream";
+import { ownDisplayFor, placeOf } from "../../shared/run/displayCalls";
 import { ownStream, problem } from "../client";
 import { createStore, useSelected } from "../../page/store";
 
@@ -9,9 +10,15 @@ export const useOwnDisplays = (): readonly string[] => useSelected(names, (all) 
 
 const streams = new Map<string, Stream>();
 
-/** Makes the page this display until it is closed, or says that it is none any more. */
-export function becomeDisplay(name: string): void {
-  if (streams.has(name)) return;
+/** Makes the page the display that shows what this one does (displayCalls.ts) until it is closed, or says that it is none any more. */
+export function becomeDisplay(display: string): void {
+  const name = ownDisplayFor(display);
+  const place = placeOf(display);
+  const known = streams.get(name);
+  if (known !== undefined) {
+    known.announceDisplay(name, false, place);
+    return;
+  }
   const stream = openStream(ownStream, {
     onConnection: () => undefined,
     onMalformed: problem,
@@ -21,7 +28,7 @@ export function becomeDisplay(name: string): void {
       problem(`The page is no display: ${update.errors.map(({ message }) => message).join("; ")}`);
     },
   });
-  stream.announceDisplay(name, false);
+  stream.announceDisplay(name, false, place);
   streams.set(name, stream);
   names.dispatch([...streams.keys()]);
 }

@@ -34,6 +34,9 @@ export function nameOf(search: string): string | undefined {
   return /^[A-Za-z0-9_-]{1,32}$/.test(name) && name !== "all" ? name : undefined;
 }
 
+/** The place where the display is, `?place=` in the address; undefined if there is none. The server refuses one that cannot be. */
+export const placeOf = (search: string): string | undefined => new URLSearchParams(search).get("place") ?? undefined;
+
 export const firstPage = (name: string): DisplayPage => ({
   name,
   connection: "connecting",

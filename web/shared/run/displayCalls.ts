@@ -18,14 +18,28 @@ export function textArgument(call: Call, name: string, place: number): string | 
   return typeof value === "string" ? value : undefined;
 }
 
-/** The displays that a call is for: one by its name, or `all`. */
+/** The displays that a call is for: one by its name, those at a place by `@` and its name, or `all`. */
 export const displayOf = (call: Call): string => textArgument(call, "display", kAsking.get(call.operation) ?? kShowing.get(call.operation) ?? 0) ?? "all";
 
-/** The address of the page that is such a display (web/display). */
-export const displayAddress = (display: string): string => (display === "all" ? "/display/" : `/display/?name=${encodeURIComponent(display)}`);
+/** The place that such a text names; undefined: it names none. */
+export const placeOf = (display: string): string | undefined => (display.startsWith("@") ? display.slice(1) : undefined);
 
-/** The name of the display as which the expert page shows and answers what all displays show. */
+/** As people read it. */
+export function displaysText(display: string): string {
+  const place = placeOf(display);
+  if (place !== undefined) return `the displays at ${place}`;
+  return display === "all" ? "every display" : `the display ${display}`;
+}
+
+/** The address of the page that is such a display (web/display). */
+export function displayAddress(display: string): string {
+  const place = placeOf(display);
+  if (place !== undefined) return `/display/?place=${encodeURIComponent(place)}`;
+  return display === "all" ? "/display/" : `/display/?name=${encodeURIComponent(display)}`;
+}
+
+/** The name of the display as which the expert page shows and answers what all displays show, or those at a place. */
 export const kOwnDisplay = "expert-page";
 
-/** The one that the expert page becomes to show it. */
-export const ownDisplayFor = (display: string): string => (display === "all" ? kOwnDisplay : display);
+/** The one that the expert page becomes to show it, at the place that is named. */
+export const ownDisplayFor = (display: string): string => (display === "all" || placeOf(display) !== undefined ? kOwnDisplay : display);

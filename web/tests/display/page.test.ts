@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { applyDisplayEvent, canAnswer, firstPage, nameOf, type DisplayEvent, type DisplayPage } from "../../shared/display/page";
+import { applyDisplayEvent, canAnswer, firstPage, nameOf, placeOf, type DisplayEvent, type DisplayPage } from "../../shared/display/page";
 import type { Display, Question } from "../../generated/messages";
 
 const after = (...events: readonly DisplayEvent[]): DisplayPage => events.reduce(applyDisplayEvent, firstPage("main"));
@@ -15,6 +15,12 @@ describe("the name in the address", () => {
   });
   it("is refused where the server would", () => {
     for (const search of ["?name=", "?name=all", "?name=a%20b", "?name=a/b", `?name=${"x".repeat(33)}`]) expect(nameOf(search)).toBeUndefined();
+  });
+});
+
+describe("the place in the address", () => {
+  it("is none if there is none, and what the server decides about otherwise", () => {
+    expect([placeOf(""), placeOf("?name=left"), placeOf("?name=left&place=gripper"), placeOf("?place=")]).toEqual([undefined, undefined, "gripper", ""]);
   });
 });
 

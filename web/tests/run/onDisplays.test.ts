@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Call, HostedService, Input } from "../../generated/messages";
-import { displayOf, ownDisplayFor } from "../../shared/run/displayCalls";
+import { displayOf, displaysText, ownDisplayFor, placeOf } from "../../shared/run/displayCalls";
 import { kNothingTold, tellDisplays, textOn, unseenOf, type OnDisplays } from "../../shared/run/onDisplays";
 
 const service = (key: string, type: string, ...moving: readonly string[]): Pick<HostedService, "key" | "type" | "rsm"> => ({ key, type, rsm: { rsm: 1, name: type, operations: moving.map((name) => ({ name, moves: true })), events: [] } });
@@ -53,5 +53,11 @@ describe("what a run has told the displays", () => {
     const named: Call = { ...ask, args: [], kwargs: { question: "Ready?", display: "arm" } };
     const picture = { ...call("show_image", 1, "part.png") };
     expect([textOn(named), displayOf(named), textOn(picture), textOn({ ...picture, args: ["part.png", "The part"] }), textOn({ ...lead, args: [""] })]).toEqual(["Ready?", "arm", "a picture", "The part", undefined]);
+  });
+  it("has the words of progress, and of the displays at a place", () => {
+    const progress = call("show_progress", 1, "Calibrating", 0.4, "@gripper");
+    expect(after(...takes(progress)).shown).toBe(progress);
+    expect([textOn(progress), displayOf(progress), ownDisplayFor("@gripper"), placeOf("@gripper"), placeOf("gripper")]).toEqual(["Calibrating", "@gripper", "expert-page", "gripper", undefined]);
+    expect(["all", "@gripper", "arm"].map(displaysText)).toEqual(["every display", "the displays at gripper", "the display arm"]);
   });
 });

@@ -16,6 +16,7 @@ describe("a run that waits for a person", () => {
     const wait = waitingForPerson(core, [service("robot", "robot", []), service("phone", "display", pending)], [{ ...ask, service: "robot" }, ask]);
     expect(wait).toEqual({ service: "phone", operation: "ask", call: 9, question: "Is the table empty?", answers: { buttons: ["OK"] }, display: "arm" });
     expect(wait && displayAddress(wait.display)).toBe("/display/?name=arm");
+    expect([displayAddress("all"), displayAddress("@gripper")]).toEqual(["/display/", "/display/?place=gripper"]);
   });
   it("knows the displays as an argument by place, and the question by name", () => {
     const number: Call = { service: "phone", operation: "ask_number", args: [], kwargs: { question: "How many?" }, call: 9 };

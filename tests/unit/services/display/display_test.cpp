@@ -22,8 +22,8 @@ struct DisplayTest : ScreensBench<RemoteDisplayBackend> {
     bench.add<Display>("display", elsewhere ? static_cast<DisplayBackend&>(remote) : screens, std::string());
   }
 
-  void connect(const std::string& display) {
-    connections[display] = screens.connect(display, false).value();
+  void connect(const std::string& display, const std::string& place = {}) {
+    connections[display] = screens.connect(display, false, place).value();
     pass(0.001);
   }
   void disconnect(const std::string& display) {
@@ -97,7 +97,8 @@ TEST_P(DisplayInOrder, AnAskedPersonAnswersWithAButtonLater) {
   EXPECT_EQ(state(), "Asking");
   answer("main", "No");
   EXPECT_THAT(bench.responses(), ElementsAre(R"(display.ask -> {"answer":"No","display":"main"})"));
-  EXPECT_THAT(events(), ElementsAre(R"(connected {"display":"main"})", R"(answer {"answer":"No","display":"main"})"));
+  EXPECT_THAT(events(),
+              ElementsAre(R"(connected {"display":"main","place":""})", R"(answer {"answer":"No","display":"main"})"));
   EXPECT_EQ(state(), "Idle");
 }
 
@@ -232,13 +233,47 @@ TEST_P(DisplayInOrder, EachPressOfAShownButtonIsAnEvent) {
   ASSERT_TRUE(screens.press("main", "Stop"));
   pass(0.001);
   const std::string press = R"(button {"button":"Stop","display":"main"})";
-  EXPECT_THAT(events(), ElementsAre(R"(connected {"display":"main"})", press, press));
+  EXPECT_THAT(events(), ElementsAre(R"(connected {"display":"main","place":""})", press, press));
 }
 
 TEST_P(DisplayInOrder, TellsWhoComesAndGoes) {
   connect("main");
   disconnect("main");
-  EXPECT_THAT(events(), ElementsAre(R"(connected {"display":"main"})", R"(disconnected {"display":"main"})"));
+  EXPECT_THAT(events(), ElementsAre(R"(connected {"display":"main","place":""})",
+                                    R"(disconnected {"display":"main","place":""})"));
+}
+
+TEST_P(DisplayInOrder, TellsWhereADisplayIs) {
+  connect("main", "gripper");
+  disconnect("main");
+  EXPECT_THAT(events(), ElementsAre(R"(connected {"display":"main","place":"gripper"})",
+                                    R"(disconnected {"display":"main","place":"gripper"})"));
+}
+
+TEST_P(DisplayInOrder, ReachesWhatIsAtAPlace) {
+  connect("left", "gripper");
+  connect("right");
+  call("show_text", {"There"}, {{"display", "@gripper"}});
+  EXPECT_EQ(screens.content("left")->message->text, "There");
+  EXPECT_FALSE(screens.content("right")->message);
+  call("ask", {"Go?"}, {{"display", "@door"}});
+  call("ask", {"Go?"}, {{"display", "@gripper"}});
+  answer("left", "OK");
+  call("clear", {"@gripper"});
+  EXPECT_FALSE(screens.content("left")->message);
+  EXPECT_THAT(bench.responses(),
+              ElementsAre("display.show_text -> null", "display.ask !> no_display",
+                          R"(display.ask -> {"answer":"OK","display":"left"})", "display.clear -> null"));
+}
+
+TEST_P(DisplayInOrder, AQuestionAtAPlaceWaitsForItsDisplayToComeBack) {
+  connect("main", "gripper");
+  call("ask", {"Go?"}, {{"display", "@gripper"}});
+  disconnect("main");
+  pass(Display::kReconnectTimeout * 0.9);
+  connect("main", "gripper");
+  answer("main", "OK");
+  EXPECT_THAT(bench.responses(), ElementsAre(R"(display.ask -> {"answer":"OK","display":"main"})"));
 }
 
 TEST_P(DisplayInOrder, ShowsProgressUntilSomethingElseIsShown) {
@@ -298,6 +333,8 @@ INSTANTIATE_TEST_SUITE_P(
                         Wrong{"show_text", {"x", List{""}}, {}, "out_of_range", "buttons"},
                         Wrong{"show_text", {"x", List(9, "x")}, {}, "out_of_range", "buttons"},
                         Wrong{"show_text", {"x", List{1}}, {}, "type", "buttons"},
+                        Wrong{"show_text", {"x"}, {{"display", "@"}}, "name", "display"},
+                        Wrong{"show_text", {"x"}, {{"display", "@main"}}, "no_display", "display"},
                         Wrong{"show_progress", {"x"}, {}, "missing", "progress"},
                         Wrong{"show_progress", {"x", 1.01}, {}, "out_of_range", "progress"},
                         Wrong{"show_progress", {"x", -0.01}, {}, "out_of_range", "progress"},

@@ -197,6 +197,165 @@ TEST_F(ScreensTest, NamesAreBoundedAndThoseWithoutConnectionMakeWay) {
   EXPECT_FALSE(screens.content("d7"));
 }
 
+// ---- Places.
+
+TEST(DisplayTarget, IsANameAPlaceOrAll) {
+  for (const char* target : {"all", "main", "@gripper", "@left-2"}) EXPECT_TRUE(is_display_target(target)) << target;
+  for (const char* target :
+       {"", "@", "@all", "@@gripper", "@a b", "main@gripper", "@012345678901234567890123456789012"})
+    EXPECT_FALSE(is_display_target(target)) << target;
+}
+
+TEST_F(ScreensTest, APlaceIsNamedAsADisplayIs) {
+  for (const char* wrong : {"all", "@gripper", "a/b", "012345678901234567890123456789012"}) {
+    const auto refused = screens.connect("left", false, wrong);
+    ASSERT_FALSE(refused) << wrong;
+    EXPECT_EQ(refused.error().code, ErrorCode::name);
+    EXPECT_EQ(refused.error().path, "place");
+  }
+  EXPECT_THAT(screens.connected(), IsEmpty());
+}
+
+TEST_F(ScreensTest, APlaceReachesAllDisplaysThereAndNoOthers) {
+  screens.connect("left", false, "gripper").value();
+  screens.connect("right", false, "gripper").value();
+  screens.connect("gripper", false).value();
+  screens.connect("door", false, "door").value();
+  ASSERT_TRUE(screens.show("@gripper", {"There", "", {}}));
+  EXPECT_EQ(seen.size(), 5U) << "three came to their place, and two show something";
+  EXPECT_EQ(content("left").message->text, "There");
+  EXPECT_EQ(content("right").message->text, "There");
+  EXPECT_FALSE(content("gripper").message) << "a name is no place";
+  EXPECT_FALSE(content("door").message);
+  ASSERT_TRUE(screens.ask("@door", buttons("Go?")));
+  EXPECT_EQ(question_on("door"), "Go?");
+  EXPECT_EQ(question_on("left"), "");
+  EXPECT_FALSE(screens.answer("left", "Yes"));
+  EXPECT_TRUE(screens.answer("door", "Yes"));
+}
+
+TEST_F(ScreensTest, NothingIsShownAtAPlaceWhereNobodyIs) {
+  const auto id = screens.connect("left", false, "gripper").value();
+  EXPECT_EQ(screens.show("@door", {"Hello", "", {}}).error().code, ErrorCode::not_found);
+  EXPECT_EQ(screens.show("@left", {"Hello", "", {}}).error().code, ErrorCode::not_found);
+  EXPECT_EQ(screens.clear("@door").error().code, ErrorCode::not_found);
+  screens.disconnect(id);
+  EXPECT_EQ(screens.show("@gripper", {"Hello", "", {}}).error().code, ErrorCode::not_found);
+  EXPECT_EQ(screens.ask("@gripper", buttons("Go?")).error().code, ErrorCode::not_found);
+  EXPECT_TRUE(screens.clear("@gripper")) << "as with a display that has left";
+}
+
+TEST_F(ScreensTest, ADisplayThatComesToAPlaceLaterShowsWhatIsShownThere) {
+  screens.connect("left", false, "gripper").value();
+  ASSERT_TRUE(screens.show("@gripper", {"There", "", {}}));
+  ASSERT_TRUE(screens.ask("@gripper", buttons("Go?")));
+  screens.connect("late", false, "gripper").value();
+  EXPECT_EQ(content("late").message->text, "There");
+  EXPECT_EQ(question_on("late"), "Go?");
+  screens.connect("elsewhere", false).value();
+  EXPECT_FALSE(content("elsewhere").message);
+  EXPECT_EQ(question_on("elsewhere"), "");
+}
+
+TEST_F(ScreensTest, WhatWasShownLastIsWhatADisplayShowsThatComes) {
+  const auto left = screens.connect("left", false, "gripper").value();
+  ASSERT_TRUE(screens.show("@gripper", {"There", "", {}}));
+  ASSERT_TRUE(screens.show("all", {"Everywhere", "", {}}));
+  screens.connect("late", false, "gripper").value();
+  EXPECT_EQ(content("late").message->text, "Everywhere");
+  ASSERT_TRUE(screens.show("@gripper", {"There again", "", {}}));
+  ASSERT_TRUE(screens.show("left", {"Left", "", {}}));
+  screens.disconnect(left);
+  screens.connect("left", false, "gripper").value();
+  EXPECT_EQ(content("left").message->text, "Left");
+  ASSERT_TRUE(screens.clear("@gripper").has_value());
+  screens.connect("later", false, "gripper").value();
+  EXPECT_FALSE(content("later").message) << "and not what all show";
+}
+
+TEST_F(ScreensTest, WhatIsClearedAtAPlaceIsClearedForWhoComesLater) {
+  screens.connect("left", false, "gripper").value();
+  screens.connect("door", false).value();
+  ASSERT_TRUE(screens.ask("all", buttons("Go?")));
+  EXPECT_FALSE(screens.clear("@gripper").value()) << "the other one shows it";
+  screens.connect("late", false, "gripper").value();
+  EXPECT_EQ(question_on("late"), "");
+  ASSERT_TRUE(screens.ask("all", buttons("Again?")));
+  screens.connect("later", false, "gripper").value();
+  EXPECT_EQ(question_on("later"), "Again?");
+  ASSERT_TRUE(screens.clear("all").value());
+  ASSERT_TRUE(screens.ask("all", buttons("And again?")));
+  screens.connect("last", false).value();
+  EXPECT_EQ(question_on("last"), "And again?");
+}
+
+TEST_F(ScreensTest, ADisplayIsWhereItsNewestConnectionSaysThatNamesAPlace) {
+  const auto first = screens.connect("left", false, "gripper").value();
+  const auto second = screens.connect("left", true, "door").value();
+  screens.connect("left", false).value();
+  screens.connect("other", false, "gripper").value();
+  screens.connect("third", false, "door").value();
+  screens.take();
+  ASSERT_TRUE(screens.show("@door", {"Door", "", {}}));
+  EXPECT_EQ(content("left").message->text, "Door");
+  screens.disconnect(second);
+  ASSERT_TRUE(screens.show("@gripper", {"Gripper", "", {}}));
+  EXPECT_EQ(content("left").message->text, "Gripper");
+  screens.disconnect(first);
+  ASSERT_TRUE(screens.show("@gripper", {"Still", "", {}}));
+  EXPECT_EQ(content("left").message->text, "Gripper") << "it is nowhere in particular now";
+  using enum DisplayEvent::Kind;
+  EXPECT_THAT(screens.take(), ElementsAre(DisplayEvent{connected, "left", {}, 0, "gripper"},
+                                          DisplayEvent{connected, "left", {}, 0, ""}));
+}
+
+TEST_F(ScreensTest, ItIsToldWhereADisplayIsThatComesMovesAndGoes) {
+  const auto first = screens.connect("left", false).value();
+  const auto second = screens.connect("left", false, "gripper").value();
+  screens.disconnect(first);
+  screens.disconnect(second);
+  using enum DisplayEvent::Kind;
+  EXPECT_THAT(screens.take(),
+              ElementsAre(DisplayEvent{connected, "left", {}, 0, ""}, DisplayEvent{connected, "left", {}, 0, "gripper"},
+                          DisplayEvent{disconnected, "left", {}, 0, "gripper"}));
+}
+
+TEST_F(ScreensTest, ADisplayThatMovesIsToldWhatItShowsThere) {
+  screens.connect("left", false, "gripper").value();
+  ASSERT_TRUE(screens.show("@gripper", {"There", "", {}}));
+  const auto door = screens.connect("right", false).value();
+  seen.clear();
+  screens.connect("right", false, "gripper").value();
+  screens.disconnect(door);
+  ASSERT_EQ(seen.size(), 1U);
+  EXPECT_EQ(seen[0].message->text, "There");
+}
+
+TEST_F(ScreensTest, ASoundAtAPlaceIsPlayedThereAlone) {
+  screens.connect("left", true, "gripper").value();
+  screens.connect("right", true).value();
+  EXPECT_EQ(screens.play("@door", {0, "beep", 1, 1}).error().code, ErrorCode::not_found);
+  ASSERT_TRUE(screens.play("@gripper", {0, "beep", 1, 1}));
+  EXPECT_TRUE(content("left").sound);
+  EXPECT_FALSE(content("right").sound);
+  EXPECT_EQ(screens.playback().waiting, 1U);
+}
+
+TEST_F(ScreensTest, PlacesAreBoundedAndThoseWithoutADisplayMakeWay) {
+  screens.connect("stays", false, "first").value();
+  ASSERT_TRUE(screens.show("@first", {"First", "", {}}));
+  for (std::size_t i = 0; i < Screens::kDisplays; ++i) {
+    const std::string place = "p" + std::to_string(i);
+    const auto id = screens.connect("moves", false, place).value();
+    ASSERT_TRUE(screens.show('@' + place, {place, "", {}}));
+    screens.disconnect(id);
+  }
+  for (const char* place : {"p0", "p1", "first"}) screens.connect(std::string("at-") + place, false, place).value();
+  EXPECT_FALSE(content("at-p0").message) << "the oldest where nobody is";
+  EXPECT_EQ(content("at-p1").message->text, "p1");
+  EXPECT_EQ(content("at-first").message->text, "First") << "older, but somebody is there";
+}
+
 TEST_F(ScreensTest, WhatWaitsForTheServiceIsBounded) {
   screens.connect("left", false).value();
   ASSERT_TRUE(screens.show("left", {"", "", {"Stop"}}));
