@@ -24,7 +24,10 @@ export default defineConfig({
         pro: here("pro/index.html"),
         display: here("display/index.html"),
         trust: here("trust/index.html"),
+        sw: here("display/sw.ts"),
       },
+      // A service worker serves what is below its own address.
+      output: { entryFileNames: ({ name }) => (name === "sw" ? "display/sw.js" : "assets/[name]-[hash].js") },
     },
   },
   // A loaded machine may be slow, and no test measures time.

@@ -31,13 +31,16 @@ std::string read_display_name(Fields& fields, std::string_view key, Fields::Need
   return text;
 }
 
+// Who stands at the cell shows the code to a phone that does, too, and an admin says who does.
+bool may_make_local(const Identity& identity) { return is_local(identity) || identity.role == Role::admin; }
+
 // Who asks is an operator at least, so nobody hands on more than they have.
 Checked<Pairing> read_pairing(const Request& request) {
   const auto body = parse_json(request.body);
   if (!body) return failed(body.error());
   std::vector<Error> errors;
   Fields fields(*body, "", "the request", errors, Fields::Paths::field);
-  Pairing pairing{request.identity, {std::nullopt, true}};
+  Pairing pairing{request.identity, {std::nullopt, may_make_local(request.identity)}};
   const auto role = fields.text("role", kRequired);
   if (role) pairing.scope.role = role_of(*role);
   if (role && pairing.scope.role != Role::observer && pairing.scope.role != Role::cell_operator)

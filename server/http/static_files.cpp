@@ -18,11 +18,12 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string type_of(const fs::path& file) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 13> kTypes = {{
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kTypes = {{
       {".html", "text/html; charset=utf-8"},
       {".js", "text/javascript; charset=utf-8"},
       {".css", "text/css; charset=utf-8"},
       {".json", "application/json"},
+      {".webmanifest", "application/manifest+json"},
       {".svg", "image/svg+xml"},
       {".png", "image/png"},
       {".jpg", "image/jpeg"},

@@ -11,8 +11,8 @@ export interface Arm {
   readonly close: () => void;
 }
 
-/** Requires a server without accounts. */
-export function watchArm(url: string): Arm {
+/** Requires a server without accounts. `standing`: an arm whose joints turn by no more between two poses stands [rad]. */
+export function watchArm(url: string, standing = kStanding): Arm {
   const socket = new NodeSocket(`${url.replace(/^http/, "ws")}/api/v1/stream`);
   let before: Joints = {};
   let isMoving = false;
@@ -21,7 +21,7 @@ export function watchArm(url: string): Arm {
     for (const message of [JSON.parse(data) as unknown].flat() as readonly { readonly channel: string; readonly data: { readonly joints?: Joints } }[]) {
       const { joints } = message.data;
       if (message.channel !== "cell/pose" || joints === undefined) continue;
-      isMoving = Object.entries(joints).some(([name, at]) => Math.abs(at - (before[name] ?? at)) > kStanding);
+      isMoving = Object.entries(joints).some(([name, at]) => Math.abs(at - (before[name] ?? at)) > standing);
       before = joints;
     }
   };

@@ -47,15 +47,25 @@ class PairingCase(unittest.TestCase):
 
 
 class Pairing(PairingCase):
+    def test_a_phone_stands_at_the_cell_if_an_admin_says_so_or_who_does_themselves(self):
+        """Nobody makes a display of their own, from afar, that hands the controls over to them."""
+        for account, is_local in (("operator", False), ("developer", False), ("admin", True)):
+            with self.subTest(account=account):
+                self.assertIs(self.me(self.pair(self.code(account))["token"])["local"], is_local)
+        phone = self.pair(self.code("admin"))["token"]
+        status, made = self.as_token(phone, "POST", "/pairings", {"role": "operator", "name": "phone2"})
+        self.assertEqual(status, 201)
+        self.assertIs(self.me(self.pair(made["code"])["token"])["local"], True)
+
     def test_a_code_brings_a_token_of_who_made_it(self):
         answer = self.pair(self.code("developer", place="table", days=7))
         self.assertEqual((answer["account"]["name"], answer["role"], answer["name"], answer["place"]),
                          ("developer", "operator", "phone1", "table"))
         self.assertAlmostEqual(answer["expires"], time.time() * 1000 + 7 * DAY, delta=60_000)
-        self.assertEqual(self.me(answer["token"]), {"accounts": True, "name": "developer", "role": "operator", "local": True})
+        self.assertEqual(self.me(answer["token"]), {"accounts": True, "name": "developer", "role": "operator", "local": False})
         listed = next(token for token in self.tokens("developer") if token["label"] == "phone: phone1")
-        self.assertEqual((listed["role"], listed["local"], listed["name"], listed["expires"]),
-                         ("operator", True, "phone1", answer["expires"]))
+        self.assertEqual((listed["role"], "local" in listed, listed["name"], listed["expires"]),
+                         ("operator", False, "phone1", answer["expires"]))
         usual = self.pair(self.code())
         self.assertNotIn("place", usual)
         self.assertAlmostEqual(usual["expires"], time.time() * 1000 + 30 * DAY, delta=60_000)

@@ -1,112 +1,140 @@
-// The page's one connection: messages of the server change the page's state, actions of the user are sent to the server.
-import { applyDisplayEvent, canAnswer, firstPage, type DisplayEvent, type DisplayPage } from "../shared/display/page";
-import { schedule } from "../shared/display/sounds";
-import { keyOf, type Key } from "../shared/display/numberText";
-import type { Sound } from "../generated/messages";
-import { createAccess } from "../shared/login/access";
+// The page's one connection: what the server says changes the page's stores, and what a person does is sent to the server.
+import { createApi } from "../shared/api";
+import { withControls } from "../shared/control/header";
 import { controlUrl } from "../shared/control/link";
-import { refusalTo, type Doing } from "../shared/login/doings";
+import { applyDisplayEvent, canAnswer, firstPage, kDefaultName, nameOf, placeOf, type DisplayEvent, type DisplayPage } from "../shared/display/page";
+import type { Key } from "../shared/display/numberText";
+import { createAccess, type Access } from "../shared/login/access";
 import { storedTokens } from "../shared/login/tokens";
+import { messageOf } from "../shared/messageOf";
+import type { StreamUpdate } from "../shared/messages/stream";
+import { watchReach } from "../shared/reach";
+import { applyEvent, emptySession, watchedCore, type Session, type SessionEvent } from "../shared/session/session";
+import { coreToWatch } from "../shared/session/watched";
+import { openStream, streamUrl, type Stream } from "../shared/stream";
+import { controls, every } from "../control/page";
+import { createRights } from "../page/rights";
+import { createStore, useSelected } from "../page/store";
 import { stop } from "../stop/page";
-import { openStream, streamUrl } from "../shared/stream";
-import { createPlayer } from "./player";
+import type { PairAnswer } from "../generated/messages";
+import { playSound } from "./signals";
 
-/** What the user can do. */
-export interface Actions {
-  /** Why the stop cannot be reset here. */
-  readonly resetRefusal: string | undefined;
-  /** Why the controls of the cell cannot be taken here, and who asks for them cannot be answered. */
-  readonly takeRefusal: string | undefined;
-  readonly answerRefusal: string | undefined;
-  /** The address of the controls. */
-  readonly controls: () => Promise<string>;
-  /** Of the account. */
-  readonly fetcher: typeof fetch;
-  readonly answer: (question: number, answer: string | number) => void;
-  readonly press: (button: string) => void;
-  readonly key: (key: Key) => void;
+/** The display's name in the address; undefined if it is none. */
+export const ownName = nameOf(location.search);
+const ownPlace = placeOf(location.search);
+
+export const display = createStore<DisplayPage, DisplayEvent>(firstPage(ownName ?? kDefaultName), applyDisplayEvent);
+export const session = createStore<Session, SessionEvent>(emptySession, applyEvent);
+export const useDisplay = <T>(select: (page: DisplayPage) => T): T => useSelected(display, select);
+export const useSession = <T>(select: (state: Session) => T): T => useSelected(session, select);
+
+/** Who uses the page. */
+export const login = createStore<Access, Access>({ asked: false }, (_, next) => next);
+export const useLogin = <T>(select: (access: Access) => T): T => useSelected(login, select);
+export const { refusalNow, useRefusal, useRefusalOfCommand, useRefusalToStart } = createRights(login);
+
+export const access = createAccess({
+  base: "/api/v1",
+  fetcher: (input, init) => fetch(input, init),
+  tokens: storedTokens(() => localStorage, window),
+  onChange: (next) => login.dispatch(next),
+  onOtherLogin: () => stream?.reopen(),
+});
+/** Of the account, and of who has the controls of the cell. */
+export const fetchWithControls = withControls(access.fetch, controls.secret);
+export const api = createApi("/api/v1", fetchWithControls);
+/** The address of the controls, for this page. */
+export const ownControls = (): Promise<string> => access.streamUrl(controlUrl(location));
+
+let stream: Stream | undefined;
+
+/** Says what is in the way, until somebody has read it. */
+export const problem = (error: unknown): void => session.dispatch({ type: "problem", text: messageOf(error) });
+export const dismissProblem = (): void => session.dispatch({ type: "problem", text: undefined });
+
+/** Does what a person wants, and says what was in the way. */
+export function attempt(action: () => Promise<unknown>): void {
+  action().catch(problem);
 }
 
-/** Longer than the delay between the end of a touch and its click event [ms]. */
-const kTap = 400;
+/** Answers the question that is shown. */
+export function answer(question: number, given: string | number): void {
+  if (canAnswer(display.get()) && stream?.send({ type: "answer", question, answer: given }) === true) display.dispatch({ type: "sent" });
+}
+export const press = (button: string): void => void stream?.send({ type: "press", button });
+export const key = (which: Key): void => display.dispatch({ type: "key", key: which });
 
-/** Runs until the page is closed, as a display of this name, at this place; `draw` gets each new state, and `drawLogin` what logs in while the server asks for that. */
-export function connect(name: string, place: string | undefined, draw: (page: DisplayPage, actions: Actions) => void, drawLogin: (logIn: (name: string, password: string) => Promise<void>) => void): void {
-  let page = firstPage(name);
-  let playing: number | undefined;
-  const player = createPlayer();
+export async function logIn(account: string, password: string): Promise<void> {
+  await access.logIn(account, password);
+  stream?.retry();
+}
 
-  const show = () => {
-    const { me, asked } = access.get();
-    const refusal = refusalTo(me, "be_display");
-    const refused = (doing: Doing) => (page.connection === "open" ? refusalTo(me, doing) : "the server is not there");
-    if (asked) drawLogin(logIn);
-    else draw(refusal === undefined ? page : { ...page, problem: `This page is no display: ${refusal}.` }, { ...actions, resetRefusal: refused("reset_stop"), takeRefusal: refused("take_controls"), answerRefusal: refused("answer_control") });
-  };
-  const dispatch = (event: DisplayEvent) => {
-    page = applyDisplayEvent(page, event);
-    show();
-  };
-  const access = createAccess({ base: "/api/v1", fetcher: (input, init) => fetch(input, init), tokens: storedTokens(() => localStorage, window), onChange: () => show(), onOtherLogin: () => stream.reopen() });
-  async function logIn(account: string, password: string): Promise<void> {
-    await access.logIn(account, password);
-    stream.retry();
-  }
+/** Exchanges the code of a pairing for a token of this device. */
+export async function pair(code: string): Promise<PairAnswer> {
+  const paired = await access.pair(code);
+  stream?.reopen();
+  return paired;
+}
 
-  const actions: Omit<Actions, "resetRefusal" | "takeRefusal" | "answerRefusal"> = {
-    controls: () => access.streamUrl(controlUrl(location)),
-    fetcher: access.fetch,
-    answer: (question, answer) => {
-      if (canAnswer(page) && stream.send({ type: "answer", question, answer })) dispatch({ type: "sent" });
-    },
-    press: (button) => void stream.send({ type: "press", button }),
-    key: (key) => dispatch({ type: "key", key }),
-  };
+/** The page may play sounds from now on. */
+export function soundAllowed(): void {
+  if (display.get().sound) return;
+  display.dispatch({ type: "sound" });
+  stream?.announceDisplay(display.get().name, true, ownPlace);
+}
 
-  const stream = openStream(() => access.streamUrl(streamUrl(location)), {
-    onConnection: (connection) => {
+/** Turns to another run. */
+export function watch(id: string | undefined): void {
+  const { watched } = session.get();
+  if (watched === id) return;
+  if (watched !== undefined) stream?.unsubscribe(`core/${watched}/state`);
+  session.dispatch({ type: "watched", id });
+  if (id !== undefined) stream?.subscribe(`core/${id}/state`);
+}
+
+function watchSomething(): void {
+  if (watchedCore(session.get()) === undefined) watch(coreToWatch(session.get().cores, undefined)?.id);
+}
+
+/** Loads the list of documents, which no channel tells of. */
+export function loadDocuments(): void {
+  attempt(async () => session.dispatch({ type: "documents", documents: await api.documents() }));
+}
+
+function take(update: StreamUpdate): void {
+  if (update.type === "display") {
+    display.dispatch({ type: "content", content: update.content });
+    playSound(update.content.sound, display.get().sound, (id) => stream?.send({ type: "played", sound: id }));
+  } else if (update.type === "control") stop.take(update.control);
+  else if (update.type === "refused" && display.get().content === undefined) display.dispatch({ type: "problem", text: update.errors.map((error) => error.message).join("; ") });
+  else session.dispatchInFrame((frame) => ({ type: "update", update, frame }));
+  if (update.type === "cores" || update.type === "core" || update.type === "core_removed") watchSomething();
+}
+
+/** Runs until the page is closed. */
+export function connect(): void {
+  const opened = openStream(() => access.streamUrl(streamUrl(location)), {
+    onConnection: (connection, ended) => {
       if (connection === "lost" && !access.get().asked) void access.ask().catch(() => undefined); // the account may have changed
       stop.connection(connection);
-      dispatch({ type: "connection", connection });
+      display.dispatch({ type: "connection", connection });
+      session.dispatch({ type: "connection", connection, ended });
+      if (connection === "open") loadDocuments();
     },
-    onMalformed: (error) => dispatch({ type: "problem", text: error.message }),
-    onUpdate: (update) => {
-      if (update.type === "display") {
-        dispatch({ type: "content", content: update.content });
-        play(update.content.sound);
-      } else if (update.type === "control") stop.take(update.control);
-      else if (update.type === "refused" && page.content === undefined) {
-        dispatch({ type: "problem", text: update.errors.map((error) => error.message).join("; ") });
-      }
+    onMalformed: (error) => display.dispatch({ type: "problem", text: error.message }),
+    onUpdate: take,
+  });
+  stream = opened;
+  opened.announceDisplay(display.get().name, false, ownPlace);
+  for (const channel of ["control", "services", "cores"]) opened.subscribe(channel);
+  watchReach({
+    fetcher: (input, init) => fetch(input, init),
+    every,
+    timeout: (time) => AbortSignal.timeout(time),
+    isSeen: () => !document.hidden && display.get().connection === "open",
+    onLost: () => {
+      controls.release("the server does not answer");
+      opened.abandon();
     },
   });
-
-  /** Plays each sound once. A sound that the server removes is stopped; one before the first touch is not played. */
-  function play(sound: Sound | undefined): void {
-    if (sound?.id === playing) return;
-    playing = sound?.id;
-    player.silence();
-    if (sound === undefined || !page.sound) return;
-    player.play(schedule(sound), sound.volume, () => stream.send({ type: "played", sound: sound.id }));
-  }
-
-  // Browsers play no sound before the first touch. The hint is removed after the tap, so that nothing moves under
-  // the finger.
-  const unlock = () => {
-    void player.unlock().then(() => setTimeout(soundsAllowed, kTap));
-  };
-  function soundsAllowed(): void {
-    if (page.sound) return;
-    dispatch({ type: "sound" });
-    stream.announceDisplay(name, true, place);
-  }
-  for (const touch of ["pointerup", "keydown"]) document.addEventListener(touch, unlock, { once: true });
-  document.addEventListener("keydown", (event) => {
-    const key = keyOf(event.key);
-    if (key !== undefined && page.content?.question !== undefined && "number" in page.content.question) actions.key(key);
-  });
-
-  stream.announceDisplay(name, false, place);
-  stream.subscribe("control");
-  show();
 }

@@ -1,17 +1,20 @@
-// Entry of the display page: a display of the name in the address, `?name=`, at the place there, `?place=`.
+// Entry of the display page: a display of the name in the address, `?name=`, at the place there, `?place=`, and a teach pendant.
 import "@fontsource-variable/inter";
 import "./tokens.css";
 import "./display.css";
+import "./show/show.css";
+import "./move/move.css";
+import "./run/run.css";
 import "../stop/tokens.css";
 import "../stop/stop.css";
 import "../control/control.css";
 import { createRoot } from "react-dom/client";
-import { nameOf, placeOf } from "../shared/display/page";
-import { App } from "./App";
-import { connect } from "./client";
 import { followControls } from "../control/page";
 import { showStop } from "../stop/show";
-import { Login } from "./Login";
+import { App } from "./App";
+import { connect, ownName } from "./client";
+import { pairByAddress } from "./pairing";
+import { followPerson } from "./person";
 
 showStop();
 followControls();
@@ -19,15 +22,11 @@ const element = document.getElementById("root");
 if (element === null) throw new Error("the page has no #root");
 const root = createRoot(element);
 
-const name = nameOf(location.search);
-if (name === undefined) {
+if (ownName === undefined) {
   root.render(<p className="notice is-bad">The name of a display has 1 to 32 letters, digits, “_” or “-”, and is not “all”.</p>);
 } else {
-  document.title = `${name} · RACE Display`;
-  connect(
-    name,
-    placeOf(location.search),
-    (page, actions) => root.render(<App page={page} actions={actions} />),
-    (logIn) => root.render(<Login logIn={logIn} />),
-  );
+  document.title = `${ownName} · RACE`;
+  void pairByAddress().then(connect);
+  followPerson();
+  root.render(<App />);
 }

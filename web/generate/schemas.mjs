@@ -10,6 +10,7 @@ export const kRead = [
   "account_removed.json",
   "account_tokens.json",
   "accounts.json",
+  "addresses.json",
   "audit.json",
   "cell_pose.json",
   "control.json",
@@ -36,6 +37,8 @@ export const kRead = [
   "me.json",
   "native.json",
   "packet.json",
+  "pair_answer.json",
+  "pairing_created.json",
   "past.json",
   "person.json",
   "revisions.json",
@@ -49,6 +52,7 @@ export const kRead = [
   "runs.json",
   "samples.json",
   "scene.json",
+  "service_response.json",
   "services.json",
   "sounds.json",
   "stream_message.json#/$defs/cores_delta",
@@ -70,7 +74,7 @@ export const kRead = [
 export const kReadByStop = ["control.json", "problem.json"];
 
 /** Messages that the pages write. */
-export const kWritten = ["account_change.json", "account_create.json", "breakpoints.json", "cell_reset.json", "control_answer.json", "control_mode.json", "control_request.json", "core_confirm_edit.json", "core_create.json", "core_resume.json", "core_start.json", "document_branch.json", "document_restore.json", "edit.json", "force.json", "login.json", "password_change.json", "person_command.json", "step_request.json", "stream_request.json", "token_create.json"];
+export const kWritten = ["account_change.json", "account_create.json", "breakpoints.json", "cell_reset.json", "control_answer.json", "control_mode.json", "control_request.json", "core_confirm_edit.json", "core_create.json", "core_resume.json", "core_start.json", "document_branch.json", "document_restore.json", "edit.json", "force.json", "login.json", "pair.json", "pairing_create.json", "password_change.json", "person_command.json", "service_call.json", "step_request.json", "stream_request.json", "token_create.json"];
 
 /** Names of types that are not the names of their schemas. */
 const kNames = new Map([

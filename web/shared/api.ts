@@ -23,6 +23,8 @@ import type {
   Journal,
   KeptBreakpoint,
   Native,
+  PairingCreate,
+  PairingCreated,
   Past,
   Person,
   PersonCommand,
@@ -36,12 +38,14 @@ import type {
   Samples,
   Scene,
   ServerError,
+  ServiceCall,
   StepRequest,
   Timing,
   TraceStep,
   Why,
 } from "../generated/messages";
 import * as schema from "../generated/validators";
+import { isObject, type JsonValue } from "./json";
 import type { MicroStep } from "./derivation/proof";
 import { readExact, writeExact, type Exact } from "./edit/exact";
 import { check, type Validator } from "./messages/check";
@@ -63,6 +67,17 @@ export class RefusedError extends Error {
   ) {
     super(errors.map((error) => (error.path === "" ? error.message : `${error.path}: ${error.message}`)).join("; "));
     this.name = "RefusedError";
+  }
+}
+
+/** A service has answered an error: what it says of it. */
+export class ServiceError extends Error {
+  readonly code: string;
+  constructor(error: JsonValue) {
+    const [code, message] = isObject(error) ? [error["code"], error["message"]] : [undefined, undefined];
+    super(typeof message === "string" && message !== "" ? message : typeof code === "string" ? code : "the service answers an error");
+    this.name = "ServiceError";
+    this.code = typeof code === "string" ? code : "error";
   }
 }
 
@@ -99,7 +114,7 @@ export interface Storing {
 
 /** Requests below `base` (`/api/v1`); `fetcher` is the browser's fetch, or a test's. */
 export function createApi(base: string, fetcher: typeof fetch) {
-  type Body = AccountChange | AccountCreate | Breakpoints | CellReset | CoreConfirmEdit | CoreResume | CoreStart | DocumentBreakpoints | Exact<Force> | Exact<CoreCreate> | DocumentBranch | PersonCommand | StepRequest | { readonly live: boolean };
+  type Body = AccountChange | AccountCreate | Breakpoints | CellReset | CoreConfirmEdit | CoreResume | CoreStart | DocumentBreakpoints | Exact<Force> | Exact<CoreCreate> | DocumentBranch | PairingCreate | PersonCommand | ServiceCall | StepRequest | { readonly live: boolean };
   async function request<T>(method: string, path: string, validator: Validator<T>, body?: Body): Promise<T> {
     return send(path, body === undefined ? { method } : { method, body: writeExact(body), headers: { "content-type": "application/json" } }, validator);
   }
@@ -224,6 +239,14 @@ export function createApi(base: string, fetcher: typeof fetch) {
     /** As things are now, or as they were in a past micro step. */
     why: (of: RunSource, id: string, subject: Subject, before?: MicroStep): Promise<Why> =>
       get(`/${of}/${segment(id)}/why?${subjectQuery(subject)}${before === undefined ? "" : `&step=${before.step}&micro=${before.micro}`}`, schema.why),
+    /** A code with which a phone is let in. */
+    createPairing: (pairing: PairingCreate): Promise<PairingCreated> => request("POST", "/pairings", schema.pairingCreated, pairing),
+    /** Calls an operation of a service that moves nothing. Rejects with a ServiceError if it answers an error. */
+    callService: async (service: string, operation: string, kwargs: Readonly<Record<string, JsonValue>>): Promise<JsonValue> => {
+      const response = await request("POST", `/services/${segment(service)}/calls`, schema.serviceResponse, { operation, kwargs });
+      if (response.error !== undefined) throw new ServiceError(response.error);
+      return response.result ?? null;
+    },
     cell: (): Promise<Scene> => get("/cell", schema.scene),
     person: (): Promise<Person> => get("/cell/person", schema.person),
     command: (body: PersonCommand): Promise<Person> => request("POST", "/cell/person", schema.person, body),

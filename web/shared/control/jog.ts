@@ -85,6 +85,9 @@ export interface Movable {
 /** Whether the robot gives way to a hand while a button is held. */
 export const canGuide = (services: readonly Described[]): boolean => services.some((service) => offers(service, "guide", "stop"));
 
+/** The robot whose motions can be slowed down while they go on. */
+export const overridable = (services: readonly Described[]): string | undefined => services.find((service) => offers(service, "speed_override"))?.key;
+
 export function movableOf(services: readonly Described[]): Movable {
   const hand = [{ open: "release", close: "grasp" }, { open: "open", close: "close" }].flatMap(({ open, close }) => {
     const found = services.find((service) => offers(service, open, close));

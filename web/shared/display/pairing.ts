@@ -24,11 +24,31 @@ const kLoopback: ReadonlySet<string> = new Set(["localhost", "127.0.0.1", "[::1]
 /** Whether a display can have this name. */
 export const isDisplayName = (name: string): boolean => nameOf(`?name=${encodeURIComponent(name)}`) === name;
 
-/** `name` as isDisplayName() takes it. Through a tunnel the phone has the server at its own `localhost`, at the same port: the server accepts no other. */
-export function pairing({ protocol, hostname, port }: PageAddress, name: string): Pairing {
+/** The display that a phone becomes. */
+export interface PairedDisplay {
+  /** As isDisplayName() takes it. */
+  readonly name: string;
+  /** Where it stands, a name as well; nothing: nowhere in particular. */
+  readonly place?: string;
+  /** By which the server lets it in. */
+  readonly code?: string;
+}
+
+const kCode = /^#code=([A-Za-z0-9_-]{22})$/;
+
+/** The code of a pairing in the fragment of an address, which no server is told. */
+export const codeOf = (hash: string): string | undefined => kCode.exec(hash)?.[1];
+
+/** The address of the display page below `origin`. */
+export const displayAddress = (origin: string, { name, place, code }: PairedDisplay): string =>
+  `${origin}/display/?name=${name}${place === undefined ? "" : `&place=${place}`}${code === undefined ? "" : `#code=${code}`}`;
+
+/** `network`: where the network reaches the server, if the page came from this machine. Through a tunnel the phone has the server at its own `localhost`, at the same port: the server accepts no other. */
+export function pairing({ protocol, hostname, port }: PageAddress, shown: PairedDisplay, network?: string): Pairing {
   const isLocal = kLoopback.has(hostname);
+  if (isLocal && network !== undefined) return { address: displayAddress(network, shown), trust: `${network}${kTrustPage}` };
   const at = `${isLocal ? "localhost" : hostname}${port === "" ? "" : `:${port}`}`;
-  const address = `${protocol}//${at}/display/?name=${name}`;
+  const address = displayAddress(`${protocol}//${at}`, shown);
   const real = port === "" ? (protocol === "https:" ? "443" : "80") : port;
   if (isLocal) return { address, tunnel: { usb: `adb reverse tcp:${real} tcp:${real}`, ssh: `ssh -L ${real}:127.0.0.1:${real} USER@THIS_MACHINE` } };
   return protocol === "https:" ? { address, trust: `${protocol}//${at}${kTrustPage}` } : { address };

@@ -1,5 +1,5 @@
 // Access: who uses the page. Its requests have the token of the account; when the server knows nobody by it, the page asks for a login.
-import type { LoginAnswer, Me, Ticket } from "../../generated/messages";
+import type { LoginAnswer, Me, PairAnswer, Ticket } from "../../generated/messages";
 import * as schema from "../../generated/validators";
 import { check } from "../messages/check";
 import type { TokenStore } from "./tokens";
@@ -78,6 +78,16 @@ export function createAccess({ base, fetcher, tokens, onChange, onOtherLogin }: 
     return check(schema.ticket, await answer.json());
   }
 
+  /** Asks to be let in, without a token. */
+  async function enter(path: string, body: Readonly<Record<string, string>>): Promise<unknown> {
+    const answer = await fetcher(`${base}/${path}`, { method: "POST", headers: kJson, body: JSON.stringify(body) });
+    const data: unknown = await answer.json();
+    if (answer.ok) return data;
+    const [first] = check(schema.problem, data).errors;
+    const wait = answer.headers.get("retry-after");
+    throw new LoginError(first?.message ?? `status ${answer.status}`, wait === null ? undefined : Number(wait));
+  }
+
   return {
     get: (): Access => access,
     fetch: authorized,
@@ -96,17 +106,17 @@ export function createAccess({ base, fetcher, tokens, onChange, onOtherLogin }: 
     },
     /** Throws a LoginError. */
     async logIn(name: string, password: string): Promise<void> {
-      const answer = await fetcher(`${base}/login`, { method: "POST", headers: kJson, body: JSON.stringify({ name, password }) });
-      const data: unknown = await answer.json();
-      if (!answer.ok) {
-        const [first] = check(schema.problem, data).errors;
-        const wait = answer.headers.get("retry-after");
-        throw new LoginError(first?.message ?? `status ${answer.status}`, wait === null ? undefined : Number(wait));
-      }
-      const login: LoginAnswer = check(schema.loginAnswer, data);
+      const login: LoginAnswer = check(schema.loginAnswer, await enter("login", { name, password }));
       tokens.write(login.token);
       const { name: known, role } = login.account;
       change({ me: { accounts: true, name: known, role }, asked: false });
+    },
+    /** With a code that somebody who is logged in has shown this device: once. Throws a LoginError. */
+    async pair(code: string): Promise<PairAnswer> {
+      const paired = check(schema.pairAnswer, await enter("pair", { code }));
+      tokens.write(paired.token);
+      await ask();
+      return paired;
     },
     /** Ends the token, also if the server cannot be told. */
     async logOut(): Promise<void> {

@@ -7,7 +7,7 @@ import { isStopped, type StopState } from "./state";
 type Known = Pick<StopState, "stopped" | "mode" | "holder" | "held">;
 
 const kStarting: ReadonlySet<Doing> = new Set(["start_run", "resume_run", "step_run", "force"]);
-const kOfHolder: ReadonlySet<Doing> = new Set(["set_mode", "confirm_edit", "move_by_hand"]);
+const kOfHolder: ReadonlySet<Doing> = new Set(["set_mode", "set_speed", "confirm_edit", "move_by_hand"]);
 
 const refusalWithout = (stop: Known): string | undefined =>
   isOwn(stop.holder, stop.held) ? undefined : stop.holder === null ? "take the controls first" : `${stop.holder.by} has the controls`;

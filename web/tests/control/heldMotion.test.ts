@@ -113,7 +113,7 @@ describe("a button that is held until the arm has arrived", () => {
   });
 
   it("stops when it is let go on the way, and the answer to that is no news", async () => {
-    let fail = (_: Error): void => undefined;
+    let fail: (error: Error) => void = () => undefined;
     const f = fixture(() => new Promise<void>((_, reject) => (fail = reject)));
     f.motion.start(goingTo(target, 0.1));
     const stopped = fail;

@@ -49,9 +49,10 @@ const kProGraphics: Pairs = {
 
 const kDisplayText: Pairs = {
   paper: ["ink", "soft", "bad", "open"],
-  panel: ["ink", "soft"],
+  panel: ["ink", "soft", "bad"],
   "note-soft": ["ink"],
   "bad-soft": ["bad"],
+  bad: ["bad-soft"],
   choice: ["choice-ink"],
 };
 

@@ -1,22 +1,21 @@
 // A question for a number: a keypad for touch, and why the entry is not valid yet.
-import { canAnswer, type DisplayPage } from "../shared/display/page";
-import { limits, read, type Key } from "../shared/display/numberText";
-import type { Question } from "../generated/messages";
-import type { Actions } from "./client";
+import { canAnswer, type DisplayPage } from "../../shared/display/page";
+import { limits, read, type Key } from "../../shared/display/numberText";
+import type { Question } from "../../generated/messages";
+import { answer, key as press } from "../client";
 
 interface Props {
   readonly question: Extract<Question, { readonly number: unknown }>;
   readonly page: DisplayPage;
-  readonly actions: Actions;
 }
 
 const kKeys: readonly Key[] = ["1", "2", "3", "4", "5", "6", "7", "8", "9"];
 
-export function NumberQuestion({ question, page, actions }: Props) {
+export function NumberQuestion({ question, page }: Props) {
   const entry = question.number;
   const outcome = read(page.entry, entry);
   const key = (which: Key, text: string, name = text) => (
-    <button key={which} className="key" aria-label={name} onClick={() => actions.key(which)}>
+    <button key={which} className="key" aria-label={name} onClick={() => press(which)}>
       {text}
     </button>
   );
@@ -38,7 +37,7 @@ export function NumberQuestion({ question, page, actions }: Props) {
         <button
           className="choice"
           disabled={!canAnswer(page) || "problem" in outcome}
-          onClick={() => "value" in outcome && actions.answer(question.id, outcome.value)}
+          onClick={() => "value" in outcome && answer(question.id, outcome.value)}
         >
           OK
         </button>

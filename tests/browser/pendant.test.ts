@@ -1,0 +1,179 @@
+// The teach pendant on a phone, on the real server and cell: the arm is jogged, led by hand and sent to poses while a button is held; tasks are run.
+import { devices, type Page } from "playwright-core";
+import { watchArm, type Arm } from "./arm";
+import { findings } from "./axe";
+import { openFixture, type Fixture } from "./fixture";
+
+const kSoon = { timeout: 20_000 };
+/** A joint that turns by hand, slowly, does so by more than this between two poses [rad]. */
+const kSlow = 1e-4;
+/** What a finger needs [px]. */
+const kTarget = 44;
+
+const kStart = [0, -0.35, 0, 1.6, 0, -1.19, 0];
+const move = (base: number, speed: number) => `svc.robot.move({'joints': [${[base, ...kStart.slice(1)].join(", ")}]}, speed=${speed})`;
+const turn = (state: string, other: string, base: number) => ({ state, entry: move(base, 0.2), ports: [{ name: "next", when: "svc.robot.move.result", to: other }, { name: "failed", when: "svc.robot.move.error" }] });
+/** Moves to and fro. */
+const toAndFro = { rcm: 1, name: "toAndFro", root: { state: "Root", doc: "Turns the arm to and fro.", first: "TurnLeft", children: [turn("TurnLeft", "TurnRight", 0.6), turn("TurnRight", "TurnLeft", -0.6)] } };
+
+describe("a phone as teach pendant", () => {
+  let fixture: Fixture;
+  let page: Page;
+  let arm: Arm;
+  beforeAll(async () => {
+    fixture = await openFixture();
+    arm = watchArm(fixture.url, kSlow);
+    await fixture.send("PUT", "/documents/toAndFro", toAndFro);
+  });
+  afterAll(async () => {
+    arm.close();
+    await fixture.close();
+  });
+  beforeEach(async () => {
+    page = await (await fixture.openContext({ ...devices["Pixel 7"] })).newPage();
+    page.setDefaultTimeout(20_000);
+  });
+  afterEach(async () => {
+    await page.context().close();
+    await fixture.send("POST", "/stop");
+    await fixture.send("POST", "/stop/reset");
+  });
+
+  const button = (name: string) => page.getByRole("button", { name, exact: true });
+  const mode = async () => ((await fixture.send("GET", "/control")) as { readonly mode: string }).mode;
+
+  async function open(hash: string): Promise<void> {
+    await page.goto(`${fixture.url}/display/?name=phone1${hash}`);
+    await page.getByRole("status", { name: "Connection" }).filter({ hasText: "Connected" }).waitFor();
+  }
+
+  /** The person takes the controls, and chooses the mode in which the arm is moved by hand. */
+  async function prepare(part: string): Promise<void> {
+    await open(`#move/${part}`);
+    const before = page.getByRole("region", { name: "Before you move the robot" });
+    await before.getByRole("button", { name: "Take the controls" }).tap();
+    await page.getByText("You have the controls").waitFor();
+    if ((await mode()) !== "programming") await before.getByRole("button", { name: "Programming" }).tap();
+    await before.waitFor({ state: "detached" });
+  }
+
+  /** A finger on a button; the result lifts it. */
+  async function hold(name: string): Promise<() => Promise<void>> {
+    const session = await page.context().newCDPSession(page);
+    const held = button(name);
+    await held.scrollIntoViewIfNeeded();
+    const box = await held.boundingBox();
+    if (box === null) throw new Error(`${name} is not on the screen`);
+    await session.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [{ x: box.x + box.width / 2, y: box.y + box.height / 2 }] });
+    return async () => void (await session.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] }));
+  }
+
+  const moves = (wanted: boolean) => expect.poll(arm.moves, kSoon).toBe(wanted);
+
+  /** Everything that is pressed is large enough, on the screen, and axe-core finds nothing. */
+  async function looksGood(name: string): Promise<void> {
+    await fixture.screenshot(name, page);
+    const width = page.viewportSize()?.width ?? 0;
+    for (const target of await page.locator("button:visible, nav a:visible, input:not([type=checkbox]):visible, label:has(input[type=checkbox]):visible").all()) {
+      const box = await target.boundingBox();
+      const text = `${name}: ${(await target.getAttribute("aria-label")) ?? (await target.textContent()) ?? ""}`;
+      expect(Math.round(box?.height ?? 0), text).toBeGreaterThanOrEqual(kTarget);
+      expect(Math.round(box?.width ?? 0), text).toBeGreaterThanOrEqual(kTarget);
+      expect((box?.x ?? 0) + (box?.width ?? 0), text).toBeLessThanOrEqual(width);
+    }
+    expect(await findings(page), name).toEqual([]);
+  }
+
+  it("is a light page: 300 kB at most, as they come over the network", async () => {
+    const session = await page.context().newCDPSession(page);
+    await session.send("Network.enable");
+    let bytes = 0;
+    session.on("Network.loadingFinished", ({ encodedDataLength }) => (bytes += encodedDataLength));
+    await open("#move");
+    await page.waitForLoadState("networkidle").catch(() => undefined);
+    console.log(`the page of a phone: ${Math.round(bytes / 1024)} kB`);
+    expect(bytes).toBeGreaterThan(20 * 1024);
+    expect(bytes).toBeLessThan(300 * 1024);
+  });
+
+  it("says what is missing before the arm is moved by hand", async () => {
+    await open("#move");
+    const joint = button("Joint 1 plus, while held");
+    await joint.waitFor();
+    expect(await joint.isDisabled()).toBe(true);
+    await looksGood("pendant-before");
+  });
+
+  it("moves a joint while a finger holds the button, slowly at first, and no longer", async () => {
+    await prepare("joints");
+    await looksGood("pendant-joints");
+    const lift = await hold("Joint 1 plus, while held");
+    await moves(true);
+    await fixture.screenshot("pendant-held", page);
+    await lift();
+    await moves(false);
+  });
+
+  it("moves the tool along its own axes", async () => {
+    await prepare("tool");
+    await button("Axes of the tool").tap();
+    await looksGood("pendant-tool");
+    const lift = await hold("Tool along Z minus, while held");
+    await moves(true);
+    await lift();
+    await moves(false);
+  });
+
+  it("stops when the finger leaves for a call: the page is hidden", async () => {
+    await prepare("joints");
+    await hold("Joint 1 minus, while held");
+    await moves(true);
+    await page.evaluate(() => {
+      Object.defineProperty(document, "hidden", { configurable: true, get: () => true });
+      document.dispatchEvent(new Event("visibilitychange"));
+    });
+    await moves(false);
+    await page.getByText("You have LOST the controls").waitFor();
+  });
+
+  it("starts a task, says what it does, pauses it and ends it", async () => {
+    await open("#run");
+    if ((await mode()) === "programming") {
+      await page.getByRole("button", { name: "Take the controls" }).tap();
+      await button("Execution").tap();
+      await page.getByRole("button", { name: "Give back" }).tap();
+    }
+    await button("Start toAndFro").tap();
+    const run = page.getByRole("region", { name: "Run of toAndFro" });
+    await run.getByText("Turn left").or(run.getByText("Turn right")).waitFor();
+    await moves(true);
+    await looksGood("pendant-run");
+    await run.getByRole("button", { name: "Pause" }).tap();
+    await run.getByText("Paused", { exact: true }).waitFor();
+    await run.getByRole("button", { name: "Go on" }).tap();
+    await run.getByText("Running", { exact: true }).waitFor();
+    await run.getByRole("button", { name: "End the task" }).tap();
+    await run.getByText("Stopped", { exact: true }).waitFor();
+    await moves(false);
+    await run.getByRole("button", { name: "Start again" }).tap();
+    await moves(true);
+  });
+
+  it.each([["move/joints", "pendant-landscape-joints"], ["move/hand", "pendant-landscape-hand"], ["run", "pendant-landscape-run"], ["show", "pendant-landscape-show"]])("lies on its side: %s", async (hash, name) => {
+    await page.context().close();
+    page = await (await fixture.openContext({ ...devices["Pixel 7 landscape"] })).newPage();
+    await open(`#${hash}`);
+    await looksGood(name);
+  });
+
+  it("loses the server: nobody overlooks it, and nothing can be pressed", async () => {
+    await prepare("joints");
+    fixture.allowError(/ERR_INTERNET_DISCONNECTED/);
+    await page.context().setOffline(true);
+    await page.getByRole("alert", { name: "No connection" }).waitFor();
+    await fixture.screenshot("pendant-lost", page);
+    expect(await page.locator("main").getAttribute("inert")).not.toBeNull();
+    await page.context().setOffline(false);
+    await page.getByRole("status", { name: "Connection" }).filter({ hasText: "Connected" }).waitFor();
+  });
+});

@@ -1,0 +1,25 @@
+// The way from one view to another, in the reach of a thumb.
+import { hashOf, kViewNames, kViews, placeOf, type PendantView } from "../shared/pendant/view";
+import { canAnswer } from "../shared/display/page";
+import { useDisplay } from "./client";
+
+interface Props {
+  readonly view: PendantView;
+  /** Of the display. */
+  readonly name: string;
+}
+
+export function Tabs({ view, name }: Props) {
+  const isAsked = useDisplay((page) => page.content?.question !== undefined && canAnswer(page));
+  const { part } = placeOf(location.hash);
+  return (
+    <nav className="tabs" aria-label={`Views of ${name}`}>
+      {kViews.map((each) => (
+        <a key={each} href={hashOf({ view: each, part })} aria-current={each === view ? "page" : undefined}>
+          {kViewNames[each]}
+          {each === "show" && isAsked && <span className="mark" role="img" aria-label="A question waits" />}
+        </a>
+      ))}
+    </nav>
+  );
+}

@@ -1,0 +1,44 @@
+// The robot is moved by hand: what is missing for it, or how it is moved.
+import { GripperButtons } from "../../control/GripperButtons";
+import { movableOf } from "../../shared/control/jog";
+import { kMovePartNames, kMoveParts } from "../../shared/pendant/view";
+import { useRefusal, useSession } from "../client";
+import { goTo, usePlace } from "../place";
+import { Before } from "./Before";
+import { GuidePart } from "./GuidePart";
+import { JogPart } from "./JogPart";
+import { PosesPart } from "./PosesPart";
+import { SpeedSlider } from "./SpeedSlider";
+import { useMoving } from "./moving";
+
+export function MoveView() {
+  const services = useSession((now) => now.services);
+  const part = usePlace((place) => place.part);
+  const refusal = useRefusal("move_by_hand");
+  const refused = useMoving((now) => now.refused);
+  const { robot, gripper } = movableOf(services);
+  if (robot === undefined && gripper === undefined) return <p className="empty">Nothing here can be moved by hand: no robot is connected to the server.</p>;
+  return (
+    <div className="move">
+      <h2 className="unseen">Move the robot by hand</h2>
+      {refusal !== undefined && <Before />}
+      <div className="parts" role="group" aria-label="How to move">
+        {kMoveParts.map((each) => (
+          <button key={each} type="button" aria-pressed={each === part} onClick={() => goTo({ part: each })}>
+            {kMovePartNames[each]}
+          </button>
+        ))}
+      </div>
+      <p className="refused" role="status">
+        {refusal === undefined && refused !== undefined ? `Not moved: ${refused}.` : ""}
+      </p>
+      {robot !== undefined && (
+        <>
+          {part === "hand" ? <GuidePart refusal={refusal} /> : part === "poses" ? <PosesPart refusal={refusal} /> : <JogPart kind={part} refusal={refusal} />}
+          {part !== "hand" && <SpeedSlider />}
+        </>
+      )}
+      {gripper !== undefined && <GripperButtons gripper={gripper} refusal={refusal} />}
+    </div>
+  );
+}

@@ -1,0 +1,62 @@
+// Taught poses: the arm goes to one while its button is held; one is replaced or removed after a second tap.
+import { useEffect, useState } from "react";
+import { HoldButton } from "../../control/HoldButton";
+import type { TaughtPose } from "../../shared/pendant/poses";
+import { useRefusal } from "../client";
+import { loadPoses, removePose, usePoses } from "./poses";
+import { moving } from "./moving";
+import { SavePose } from "./SavePose";
+
+export function PosesPart({ refusal }: { readonly refusal: string | undefined }) {
+  const poses = usePoses((now) => now.poses);
+  const problem = usePoses((now) => now.problem);
+  const isLoaded = usePoses((now) => now.isLoaded);
+  useEffect(loadPoses, []);
+  return (
+    <div className="poses">
+      <SavePose />
+      {problem !== undefined && (
+        <p className="is-bad" role="alert">
+          The poses cannot be read: {problem}.{" "}
+          <button type="button" className="plain" onClick={loadPoses}>
+            Try again
+          </button>
+        </p>
+      )}
+      {isLoaded && poses.length === 0 && <p className="empty">No pose is saved yet. Move the arm to a place that matters, then save it here; tasks use it by its name.</p>}
+      <ul aria-label="Saved poses">
+        {poses.map((pose) => (
+          <PoseRow key={pose.name} pose={pose} refusal={refusal} />
+        ))}
+      </ul>
+    </div>
+  );
+}
+
+function PoseRow({ pose, refusal }: { readonly pose: TaughtPose; readonly refusal: string | undefined }) {
+  const [asks, setAsks] = useState(false);
+  const [problem, setProblem] = useState<string>();
+  const cannot = useRefusal("call_service");
+  return (
+    <li>
+      <div className="pose-row">
+        <b>{pose.name}</b>
+        <HoldButton name={`Go to ${pose.name}`} className="is-go" title="The arm goes there while it is held, straight in its joints; it avoids nothing" refusal={refusal} onBegin={() => moving.goTo(pose.q)} onEnd={moving.end}>
+          Hold to go
+        </HoldButton>
+        <button type="button" className="plain is-small" aria-label={`Remove ${pose.name}`} aria-expanded={asks} disabled={cannot !== undefined} title={cannot} onClick={() => setAsks(!asks)}>
+          ✕
+        </button>
+      </div>
+      {asks && (
+        <p className="pose-ask">
+          <span>Tasks that use it will not find it.</span>
+          <button type="button" className="plain" onClick={() => void removePose(pose.name).then(setProblem)}>
+            Remove {pose.name}
+          </button>
+        </p>
+      )}
+      {problem !== undefined && <p className="is-bad" role="alert">Not removed: {problem}.</p>}
+    </li>
+  );
+}

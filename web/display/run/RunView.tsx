@@ -1,0 +1,49 @@
+// Tasks: the run that is shown, how fast the robot goes, other runs, and what can be started.
+import { ModeSwitch } from "../../control/ModeSwitch";
+import { isOver, statusLook, statusText } from "../../shared/run/controls";
+import { watchedCore } from "../../shared/session/session";
+import { wordsOf } from "../../shared/pendant/activity";
+import { fetchWithControls, problem, useRefusal, useSession, watch } from "../client";
+import { RunCard } from "./RunCard";
+import { SpeedOverride } from "./SpeedOverride";
+import { StartList } from "./StartList";
+
+export function RunView() {
+  const core = useSession(watchedCore);
+  const mode = useRefusal("set_mode");
+  return (
+    <div className="run">
+      {core === undefined ? <p className="empty">No task runs. Start one below.</p> : <RunCard core={core} />}
+      <SpeedOverride />
+      <OtherRuns />
+      <StartList />
+      <section aria-label="Mode">
+        <h2>Mode of the cell</h2>
+        <ModeSwitch refusal={mode} fetcher={fetchWithControls} onProblem={problem} />
+        {mode !== undefined && <p className="soft">To change it: {mode}.</p>}
+      </section>
+    </div>
+  );
+}
+
+/** Runs that are not over, besides the one that is shown. */
+function OtherRuns() {
+  const cores = useSession((now) => now.cores);
+  const watched = useSession((now) => now.watched);
+  const others = cores.filter((core) => core.id !== watched && !isOver(core));
+  if (others.length === 0) return null;
+  return (
+    <section aria-label="Other runs">
+      <h2>Other runs</h2>
+      <ul className="runs">
+        {others.map((core) => (
+          <li key={core.id}>
+            <button type="button" className="plain" data-status={statusLook(core)} onClick={() => watch(core.id)}>
+              <b>{wordsOf(core.document)}</b> <span>{statusText(core)}</span>
+            </button>
+          </li>
+        ))}
+      </ul>
+    </section>
+  );
+}

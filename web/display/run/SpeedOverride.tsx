@@ -1,0 +1,45 @@
+// How fast the robot goes on its way, whatever was asked for.
+import { useEffect, useRef, useState } from "react";
+import { controls } from "../../control/page";
+import { messageOf } from "../../shared/messageOf";
+import { overridable } from "../../shared/control/jog";
+import { useRefusal, useSession } from "../client";
+
+/** After the last movement of the slider [ms], so that not each one is a call. */
+const kSettle = 150;
+const kSteps = { least: 0, most: 1, step: 0.05 } as const;
+
+export function SpeedOverride() {
+  const robot = useSession((now) => overridable(now.services));
+  const refusal = useRefusal("set_speed");
+  const [share, setShare] = useState<number>();
+  const [problem, setProblem] = useState<string>();
+  const timer = useRef<ReturnType<typeof setTimeout>>(undefined);
+  useEffect(() => () => clearTimeout(timer.current), []);
+  if (robot === undefined) return null;
+  const change = (next: number) => {
+    setShare(next);
+    clearTimeout(timer.current);
+    timer.current = setTimeout(() => {
+      controls.call(robot, "speed_override", { share: next }).then(
+        () => setProblem(undefined),
+        (error: unknown) => {
+          setProblem(messageOf(error));
+          setShare(undefined);
+        },
+      );
+    }, kSettle);
+  };
+  const text = share === undefined ? "as it was set" : share === 0 ? "it waits on its way" : `${Math.round(share * 100)} %`;
+  return (
+    <section aria-label="Speed of the robot">
+      <label className="slider">
+        <span>Robot speed</span>
+        <input type="range" min={kSteps.least} max={kSteps.most} step={kSteps.step} value={share ?? 1} disabled={refusal !== undefined} aria-valuetext={text} onChange={(event) => change(Number(event.target.value))} />
+        <output>{text}</output>
+      </label>
+      {refusal !== undefined && <p className="soft">To change it: {refusal}.</p>}
+      {problem !== undefined && <p className="is-bad" role="alert">Not changed: {problem}.</p>}
+    </section>
+  );
+}

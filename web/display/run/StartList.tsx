@@ -1,0 +1,44 @@
+// The tasks that can be started.
+import { starters } from "../../shared/documents/starters";
+import { errorCount } from "../../shared/session/draft";
+import { wordsOf } from "../../shared/pendant/activity";
+import { isOwn } from "../../shared/control/texts";
+import { useStop } from "../../stop/useStop";
+import { useRefusalToStart, useSession } from "../client";
+import { startDocument } from "./runs";
+import { supervise, useSupervised } from "./supervised";
+
+export function StartList() {
+  const documents = useSession((now) => now.documents);
+  const refusal = useRefusalToStart();
+  const shown = starters(documents, documents.length).filter((each) => errorCount(each) === 0);
+  return (
+    <section aria-label="Start a task">
+      <h2>Start a task</h2>
+      <SupervisedBox />
+      {refusal !== undefined && <p className="soft">Not now: {refusal}.</p>}
+      {shown.length === 0 && <p className="empty">No task is stored yet: make one on the page of the tasks.</p>}
+      <ul className="runs">
+        {shown.map(({ name, doc }) => (
+          <li key={name}>
+            <button type="button" className="plain" aria-label={`Start ${name}`} disabled={refusal !== undefined} title={refusal} onClick={() => startDocument(name)}>
+              <b>{wordsOf(name)}</b> {doc !== undefined && <small>{doc}</small>}
+            </button>
+          </li>
+        ))}
+      </ul>
+    </section>
+  );
+}
+
+function SupervisedBox() {
+  const on = useSupervised();
+  const isMine = useStop((stop) => isOwn(stop.holder, stop.held));
+  const isAlways = useStop((stop) => stop.mode === "programming");
+  return (
+    <label className="box">
+      <input type="checkbox" checked={isMine && (on || isAlways)} disabled={!isMine || isAlways} onChange={(event) => supervise(event.target.checked)} />
+      <span>It moves only while I have the controls{isMine ? "" : " (take them first)"}</span>
+    </label>
+  );
+}

@@ -1,0 +1,41 @@
+// The code by which the server lets a phone in: asked for again when what it is for has changed.
+import { useEffect, useState } from "react";
+import type { PairingCreate } from "../generated/messages";
+import type { Api } from "../shared/api";
+import { messageOf } from "../shared/messageOf";
+
+export type CodeState =
+  /** The address is all. */
+  | { readonly kind: "none" }
+  | { readonly kind: "asked" }
+  | { readonly kind: "there"; readonly code: string; readonly origin: string | undefined; readonly until: number }
+  | { readonly kind: "over" }
+  | { readonly kind: "failed"; readonly why: string };
+
+/** `pairing`: what the phone may; nothing: it gets no code. `attempt`: another one asks for another code. */
+export function useCode(api: Api, pairing: PairingCreate | undefined, attempt: number): CodeState {
+  const [state, setState] = useState<CodeState>({ kind: "none" });
+  const wanted = pairing === undefined ? undefined : JSON.stringify(pairing);
+  useEffect(() => {
+    if (wanted === undefined) {
+      setState({ kind: "none" });
+      return undefined;
+    }
+    let isOver = false;
+    let end: ReturnType<typeof setTimeout> | undefined;
+    setState({ kind: "asked" });
+    api.createPairing(JSON.parse(wanted) as PairingCreate).then(
+      ({ code, expires_s, addresses }) => {
+        if (isOver) return;
+        setState({ kind: "there", code, origin: addresses[0]?.url, until: Date.now() + expires_s * 1000 });
+        end = setTimeout(() => setState({ kind: "over" }), expires_s * 1000);
+      },
+      (error: unknown) => isOver || setState({ kind: "failed", why: messageOf(error) }),
+    );
+    return () => {
+      isOver = true;
+      clearTimeout(end);
+    };
+  }, [api, wanted, attempt]);
+  return state;
+}
