@@ -68,6 +68,7 @@ struct OperationRow {
   bool safe = false;
   bool moves = false;
   bool held = false;
+  bool paces = false;
   Acceptance acceptance = Acceptance::before_handler;
   std::string doc = {};
 };

@@ -57,6 +57,7 @@ Operation read_operation(const Value& json, Fields& parent, Errors& errors) {
   out.safe = fields.boolean("safe").value_or(false);
   out.moves = fields.boolean("moves").value_or(false);
   out.held = fields.boolean("held").value_or(false);
+  out.paces = fields.boolean("paces").value_or(false);
   out.doc = fields.text("doc").value_or("");
   fields.close();
   return out;
@@ -183,6 +184,7 @@ Value write_operation(const Operation& operation) {
   out.flag("safe", operation.safe);
   out.flag("moves", operation.moves);
   out.flag("held", operation.held);
+  out.flag("paces", operation.paces);
   out.text("doc", operation.doc);
   return out.done();
 }

@@ -26,6 +26,7 @@ struct Operation {
   std::string doc;
   bool moves = false;  // may set something in the cell in motion; for people, who are asked before a run begins
   bool held = false;   // called again and again while a person holds a button; for who calls by hand
+  bool paces = false;  // of one that `moves`: changes only how fast what is in motion already goes on
   bool operator==(const Operation&) const = default;
 };
 

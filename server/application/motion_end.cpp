@@ -69,9 +69,10 @@ Expected<std::uint64_t> MotionEnd::begin(const services::Beginning& run) {
   return gate_.begin(run);
 }
 
-std::optional<Value> MotionEnd::refuse(const services::Caller& caller, const std::string& service) {
+std::optional<Value> MotionEnd::refuse(const services::Caller& caller, const std::string& service,
+                                       services::MotionEffect effect) {
   if (ended_) return Value(Dict{{"code", name(ErrorCode::stopped)}, {"message", kEnds}});
-  return gate_.refuse(caller, service);
+  return gate_.refuse(caller, service, effect);
 }
 
 }  // namespace race::server

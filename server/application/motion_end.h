@@ -41,7 +41,8 @@ class MotionEnd final : public services::MotionGate {
   Expected<std::uint64_t> begin(const services::Beginning& run) override;
   Expected<void> may_force(const services::Beginning& run) override { return gate_.may_force(run); }
   bool confirms_edits(const std::string& core) override { return gate_.confirms_edits(core); }
-  std::optional<Value> refuse(const services::Caller& caller, const std::string& service) override;
+  std::optional<Value> refuse(const services::Caller& caller, const std::string& service,
+                              services::MotionEffect effect) override;
   void release(const std::string& core, const std::string& service) override { gate_.release(core, service); }
 
  private:

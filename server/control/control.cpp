@@ -89,11 +89,14 @@ Expected<void> Control::may_force(const services::Beginning& run) {
   return {};
 }
 
-std::optional<Value> Control::refuse(const services::Caller& caller, const std::string& service) {
+std::optional<Value> Control::refuse(const services::Caller& caller, const std::string& service,
+                                     services::MotionEffect effect) {
   const MutexLock lock(mutex_);
   if (!is_good(caller.fence))
     return error_value(name(ErrorCode::stopped),
                        "the cell was stopped, or has nobody at the controls; nothing moves until a run begins");
+  // A person slows down, and lets go on, what others have set in motion; it stays theirs.
+  if (is_person(caller.core) && effect == services::MotionEffect::pace) return std::nullopt;
   if (is_person(caller.core) && mode_ != Mode::programming)
     return error_value(name(ErrorCode::not_accepted), "nothing is moved by hand in execution mode");
   const auto [lease, is_new] = leases_.try_emplace(service, Lease{caller.core, caller.fence});

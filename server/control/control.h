@@ -112,7 +112,8 @@ class Control final : public services::MotionGate {
   /// Errors {code, message} of core/SEMANTICS.md, R7: `stopped`: the cell is, or was since the run began, or the person
   /// who watched it has the controls no more; `leased`: another run has the service. The first call that may is what
   /// reserves the service. Of calls by hand also `not_accepted`: in this mode nothing is moved by hand.
-  std::optional<Value> refuse(const services::Caller& caller, const std::string& service) override EXCLUDES(mutex_);
+  std::optional<Value> refuse(const services::Caller& caller, const std::string& service,
+                              services::MotionEffect effect) override EXCLUDES(mutex_);
   void release(const std::string& core, const std::string& service) override EXCLUDES(mutex_);
 
  private:

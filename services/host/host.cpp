@@ -192,8 +192,9 @@ bool Host::can_be_called(const PendingCall& call, ServiceEntry& entry) {
 
 // core/SEMANTICS.md, R7. Asked with each call: what is let through has arrived, and what comes later is refused.
 std::optional<Value> Host::refuse_motion(const PendingCall& call, const ServiceEntry& entry) {
-  if (!find_operation(entry.model, call.operation)->moves) return std::nullopt;
-  return gate_.refuse(call.caller, entry.status.key);
+  const rsm::Operation& operation = *find_operation(entry.model, call.operation);
+  if (!operation.moves) return std::nullopt;
+  return gate_.refuse(call.caller, entry.status.key, operation.paces ? MotionEffect::pace : MotionEffect::motion);
 }
 
 // Said once, until half of those that wait have gone.

@@ -21,6 +21,9 @@ struct Beginning {
   bool supervised = false;    // it moves only while that person has them
 };
 
+/// What a call would do: set something in motion, or change how fast what is in motion already goes on.
+enum class MotionEffect : std::uint8_t { motion, pace };
+
 class MotionGate {
  public:
   virtual ~MotionGate() = default;
@@ -33,7 +36,7 @@ class MotionGate {
   /// Whether an edit reaches this run only when the person at the controls has confirmed it.
   virtual bool confirms_edits(const std::string& core) = 0;
   /// Why the call may not set `service` in motion, as the error that answers it; nothing: it may.
-  virtual std::optional<Value> refuse(const Caller& caller, const std::string& service) = 0;
+  virtual std::optional<Value> refuse(const Caller& caller, const std::string& service, MotionEffect effect) = 0;
   /// `core` is over, and makes no call of `service` any more.
   virtual void release(const std::string& core, const std::string& service) = 0;
 };
@@ -44,7 +47,7 @@ class OpenGate final : public MotionGate {
   Expected<std::uint64_t> begin(const Beginning&) override { return 0; }
   Expected<void> may_force(const Beginning&) override { return {}; }
   bool confirms_edits(const std::string&) override { return false; }
-  std::optional<Value> refuse(const Caller&, const std::string&) override { return std::nullopt; }
+  std::optional<Value> refuse(const Caller&, const std::string&, MotionEffect) override { return std::nullopt; }
   void release(const std::string&, const std::string&) override {}
 };
 

@@ -88,6 +88,7 @@ class ControlUnit {
 
   /// Scales the speed of all motions, the present one too: 1 as planned, 0 pauses on the path. Requires 0..1.
   void set_override(double share) { override_ = share; }
+  double speed_override() const { return override_; }
 
   /// The tool centre point keeps at or below this speed [m/s, at least 0; nothing: no limit] in whatever moves by this
   /// unit; what is faster slows down as fast as braking allows. A hand that leads the arm is not limited, braking not

@@ -144,6 +144,7 @@ void Robot::report_state(const services::Call& call) {
   Dict state = place().as_dict();
   state.set("mode", Value(name(unit_.behavior().operational.mode)));
   state.set("moving", unit_.moving());
+  state.set("speed_override", unit_.speed_override());
   host().result(call.id, std::move(state));
 }
 

@@ -407,6 +407,22 @@ class OtherMotions(ControlCase):
         self.assertEqual(self.server.wait(other, lambda c: c["status"] != "running")["results"]["code"], "leased")
         self.assertEqual(self.status(moves)["status"], "running")
 
+    def test_who_has_the_controls_sets_how_fast_a_run_moves_and_it_goes_on_when_they_go(self):
+        moves = self.server.core(insisting())
+        self.arm.wait(moving=True)
+        alice = self.person()
+        alice.take()
+        self.assertNotIn("error", alice.call("robot", "speed_override", share=0))
+        self.arm.wait(moving=False)
+        self.assertEqual(alice.call("robot", "state")["result"]["speed_override"], 0)
+        self.assertEqual(self.status(moves)["status"], "running")
+        self.assertNotIn("error", alice.call("robot", "speed_override", share=1))
+        self.arm.wait(moving=True)
+        alice.close()
+        time.sleep(0.5)
+        self.arm.wait(moving=True)
+        self.assertEqual(self.status(moves)["status"], "running")
+
     def test_a_motion_whose_run_is_over_stops_with_its_person(self):
         core = self.server.core(models.document("leaving", {
             "state": "Root", "entry": f"svc.robot.move({{'joints': {FAR}}}, speed=0.2)",

@@ -18,8 +18,9 @@ struct ControlTest : testing::Test {
   std::vector<std::string> told;
   Control control{[this](const Value& json) { told.push_back(to_json(json)); }};
   // The code that answers a motion of a run; empty: it moves.
-  std::string refusal(const std::string& core, std::uint64_t fence, const std::string& service = "robot") {
-    const auto refused = control.refuse({core, 1, fence}, service);
+  std::string refusal(const std::string& core, std::uint64_t fence, const std::string& service = "robot",
+                      services::MotionEffect effect = services::MotionEffect::motion) {
+    const auto refused = control.refuse({core, 1, fence}, service, effect);
     return refused ? refused->find("code")->as_string() : "";
   }
 };
@@ -109,6 +110,21 @@ TEST_F(ControlsTest, OnlyWhoHasThemMovesByHandAndOnlyInProgrammingMode) {
   const std::uint64_t bob = take("bob");
   EXPECT_EQ(refusal(Control::caller(alice), fence), "stopped") << "of who had them before";
   EXPECT_EQ(by_hand(bob), "");
+}
+
+TEST_F(ControlsTest, HowFastARunMovesIsSetInEitherModeAndTheMotionStaysThatOfTheRun) {
+  using enum services::MotionEffect;
+  const std::uint64_t run = control.begin({"1"}).value();
+  ASSERT_EQ(refusal("1", run), "");
+  const std::uint64_t alice = take(), fence = control.fence_of(alice).value();
+  EXPECT_EQ(refusal(Control::caller(alice), fence, "robot", pace), "");
+  EXPECT_EQ(refusal("2", run, "robot", pace), "leased") << "no other run sets it";
+  EXPECT_EQ(refusal("1", run), "") << "it has the robot as before";
+  EXPECT_TRUE(control.release(alice)->services.empty()) << "it goes on without them";
+  EXPECT_EQ(refusal(Control::caller(alice), fence, "robot", pace), "stopped") << "what was on its way";
+  const std::uint64_t bob = take("bob"), his = control.fence_of(bob).value();
+  control.stop({"carol", 7});
+  EXPECT_EQ(refusal(Control::caller(bob), his, "robot", pace), "stopped");
 }
 
 TEST_F(ControlsTest, WhatTheyHaveMovedStopsWithThem) {

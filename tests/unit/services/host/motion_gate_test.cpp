@@ -14,10 +14,12 @@ using testing::IsEmpty;
 const rsm::Service& crane_model() {
   static const rsm::Service model = rsm::read_service_text(R"json({
     "rsm": 1, "name": "crane",
-    "operations": [{"name": "lift", "moves": true, "error": "any"}, {"name": "look"}, {"name": "halt", "safe": true},
+    "operations": [{"name": "lift", "moves": true, "error": "any"}, {"name": "hurry", "moves": true, "paces": true},
+                   {"name": "look"}, {"name": "halt", "safe": true},
                    {"name": "lights_out", "safe": true}],
     "events": [], "states": [{"name": "Here"}], "init": "Here",
     "transitions": [{"id": "lift", "src": "Here", "dst": "Here", "operation": "lift"},
+                    {"id": "hurry", "src": "Here", "dst": "Here", "operation": "hurry"},
                     {"id": "look", "src": "Here", "dst": "Here", "operation": "look"},
                     {"id": "halt", "dst": "Here", "operation": "halt"},
                     {"id": "lights_out", "dst": "Here", "operation": "lights_out"}]})json",
@@ -46,8 +48,9 @@ struct Gate final : MotionGate {
   Expected<std::uint64_t> begin(const Beginning&) override { return 1; }
   Expected<void> may_force(const Beginning&) override { return {}; }
   bool confirms_edits(const std::string&) override { return false; }
-  std::optional<Value> refuse(const Caller& caller, const std::string& service) override {
-    asked.push_back(caller.core + " " + std::to_string(caller.fence) + " " + service);
+  std::optional<Value> refuse(const Caller& caller, const std::string& service, MotionEffect effect) override {
+    const std::string pace = effect == MotionEffect::pace ? " pace" : "";
+    asked.push_back(caller.core + " " + std::to_string(caller.fence) + " " + service + pace);
     return refusal;
   }
   void release(const std::string& core, const std::string& service) override {
@@ -66,9 +69,10 @@ struct MotionGateTest : testing::Test {
 TEST_F(MotionGateTest, IsAskedForCallsThatMoveAlone) {
   bench.host.call({"7", 1, 3}, "crane", "lift", {}, {});
   bench.host.call({"7", 2, 3}, "crane", "look", {}, {});
+  bench.host.call({"7", 3, 3}, "crane", "hurry", {}, {});
   bench.queue.run();
-  EXPECT_THAT(gate.asked, ElementsAre("7 3 crane"));
-  EXPECT_THAT(crane.calls, ElementsAre("lift", "look"));
+  EXPECT_THAT(gate.asked, ElementsAre("7 3 crane", "7 3 crane pace"));
+  EXPECT_THAT(crane.calls, ElementsAre("lift", "look", "hurry"));
 }
 
 TEST_F(MotionGateTest, ARefusedCallIsAnsweredAndReachesNoComponent) {
