@@ -170,8 +170,13 @@ const Value& Machine::format(const Node& n, NodeId id, Value& out) {
   Value format_out;
   const Value& v = evaluate(n.a, value_out);
   if (stopped_) return kUnknown;
-  const Value& how = n.b == kNone ? constants_[0] : evaluate(n.b, format_out);
-  if (stopped_ || v.is_unknown() || how.is_unknown()) return kUnknown;
+  std::string_view specification;
+  if (n.b != kNone) {
+    const Value& how = evaluate(n.b, format_out);
+    if (stopped_ || how.is_unknown()) return kUnknown;
+    specification = how.as_string();
+  }
+  if (v.is_unknown()) return kUnknown;
   const auto conversion = static_cast<char>(n.c);
   Value shown = v;
   if (conversion != 0) {
@@ -179,7 +184,6 @@ const Value& Machine::format(const Node& n, NodeId id, Value& out) {
     shown = Value(conversion == 's' ? str(v) : repr(v));
     if (conversion == 'a') shown = Value(ascii(shown.as_string()));
   }
-  const std::string_view specification = n.b == kNone ? std::string_view() : std::string_view(how.as_string());
   return checked(formatted(context_, shown, specification), id, out);
 }
 

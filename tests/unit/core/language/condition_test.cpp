@@ -41,6 +41,8 @@ TEST(Condition, IsKleenesLogic) {
            {"len([res.unset]) == 1", "unknown"},
            {"[1, 2][res.unset]", "unknown"},
            {"f'{res.unset}' == ''", "unknown"},
+           {"f'{res.unset}'", "unknown"},
+           {"f'{res.x}'", "True"},
            {"[x for x in [1] if res.unset]", "unknown"},
            {"[x for x in res.unset]", "unknown"},
            {"[res.unset for x in []] == []", "True"},
