@@ -21,26 +21,30 @@ def link(of, name=None, **parameters):
     return {"state": name or of, "link": of, "parameters": [{"name": k, "value": v} for k, v in parameters.items()]}
 
 
-def task(*links, after="success", library=()):
-    """A task of library states in sequence: the first is left through port `after`, the others through `success`; every other port, and
-    those of the last, end the task. Results: pose of the tool (`pose`), state of the gripper (`gripper`), those of the links
-    (`Pick_x_t_g`). `library`: further states that may be linked."""
-    library = [*DOCUMENT["library"], *library]
+def task(*links, after="success", library=(), document=DOCUMENT):
+    """A task of the library states of `document` in sequence: the first is left through port `after`, the others through `success`; every
+    other port, and those of the last, end the task. Results: pose of the tool (`pose`), state of the gripper (`gripper`), those of the
+    links (`Pick_x_t_g`). `library`: further states that may be linked."""
+    library = [*document["library"], *library]
     known = {state["state"]: state for state in library}
     found, ends = [], {}
     for i, each in enumerate(links):
         name, of, onward = each["state"], known[each["link"]], "success" if i else after
-        found += [(f"{name}_{r['name']}", f"chi.{name}.res.{r['name']}") for r in of.get("results", [])]
+        for result in of.get("results", []):
+            value = f"chi.{name}.res.{result['name']}"
+            begins = result.get("initial", [])  # copied once it is another, as an action is done once in a macro step
+            differs = "" if isinstance(begins, list) else f" and {value} != {begins!r}"
+            found.append((f"{name}_{result['name']}", value, f"available({value}){differs}"))
         for port in (p["name"] for p in of["ports"]):
             if port == onward and each is not links[-1]:
                 each["ports"] = [{"name": port, "to": links[i + 1]["state"]}]
             else:
                 ends.setdefault(port, []).append(f"chi.{name}.port.{port}")
     return models.document("handling", {
-        "state": "Root", "results": [{"name": name} for name in ("pose", "gripper", *dict(found))],
+        "state": "Root", "results": [{"name": name} for name in ("pose", "gripper", *(each[0] for each in found))],
         "actions": [{"when": "svc.robot.robot_state", "do": "res.pose = svc.robot.robot_state.pose"},
                     {"when": "svc.gripper.gripper_state", "do": "res.gripper = svc.gripper.gripper_state"},
-                    *({"when": f"available({value})", "do": f"res.{name} = {value}"} for name, value in found)],
+                    *({"when": when, "do": f"res.{name} = {value}"} for name, value, when in found)],
         "children": list(links), "first": links[0]["state"],
         "ports": [{"name": name, "when": " or ".join(whens)} for name, whens in ends.items()]}, library=library)
 
