@@ -161,6 +161,12 @@ class Errors(unittest.TestCase):
                     if error != "busy":
                         self.assert_stands(out.result())
 
+    def test_a_value_that_is_no_part_or_no_pose_ends_no_run(self):
+        for value in ("Cube", {"label": "Cube"}, 1, []):
+            self.assertEqual(run_skills(link("PickFound", found=value)).name, "no_found", value)
+            out = run_skills(link("MoveTo", pose="odd"), database={"pose_odd": value})
+            self.assertEqual(out.name, "no_pose", value)
+
     def test_without_pictures_a_search_does_not_say_that_there_is_no_part(self):
         silent = {"beside": (0.05, "svc.obj_rec.stop()")}
         for options, why in ((BLIND, "camera: unavailable"), (silent, "no picture has come")):
