@@ -1,6 +1,7 @@
 // A person who moves the arm by a held button is lost with the page: how soon the arm brakes, measured by what the robot says of itself.
 // RACE_TRIALS: of each kind (3). The figures are printed; the bound is that of the slowest.
 import { openFixture, type Fixture } from "./fixture";
+import { openNetwork, type Network } from "./network";
 import { openRealTab, type RealTab } from "./realTab";
 import { watchRobot, type RobotWatch } from "./braking";
 
@@ -10,23 +11,35 @@ const kShare = 0.5;
 /** Until it brakes [ms]. */
 const kBound = 300;
 
+/** The pages by which the arm is moved, and where they have the slider of its speed. */
+const kPages = {
+  pro: { path: "/pro/?below=manual", slider: '[aria-label="Manual control"] input[type="range"]' },
+  phone: { path: "/display/?name=phone1#move/joints", slider: '.move input[type="range"]' },
+} as const;
+type Page = keyof typeof kPages;
+
 const button = (name: string): string => `[...document.querySelectorAll("button")].find((each) => each.textContent.trim() === ${JSON.stringify(name)} && !each.disabled)`;
 
 describe("a person who is lost with the page that moves the arm", () => {
   let fixture: Fixture;
   let robot: RobotWatch;
   let tab: RealTab;
+  let network: Network;
   let isTurned = false;
   beforeAll(async () => {
     fixture = await openFixture();
     robot = await watchRobot(fixture);
+    network = await openNetwork(fixture.url);
     // What draws it may keep a page without a GPU from its signs of life; the pages that follow have it closed.
-    await open();
+    await open("pro");
     await tab.until(`document.querySelector('[aria-label="Close the cell view"]')`);
     await tab.evaluate(`document.querySelector('[aria-label="Close the cell view"]').click()`);
     await tab.close();
   });
-  afterAll(() => fixture.close());
+  afterAll(async () => {
+    network.close();
+    await fixture.close();
+  });
 
   const holder = async () => ((await fixture.send("GET", "/control")) as { readonly holder: unknown }).holder;
 
@@ -35,24 +48,25 @@ describe("a person who is lost with the page that moves the arm", () => {
     await tab.evaluate(`${button(name)}.click()`);
   }
 
-  async function open(): Promise<void> {
+  /** `url`: of the server, as the page reaches it. */
+  async function open(page: Page, url = fixture.url): Promise<void> {
     const browser = fixture.page.context().browser();
     if (browser === null) throw new Error("there is no browser");
-    tab = await openRealTab(browser, `${fixture.url}/pro/?below=manual`);
+    tab = await openRealTab(browser, `${url}${kPages[page].path}`);
     await tab.until(button("Take the controls"));
   }
 
   /** A page that has the controls and turns the base, to and fro from trial to trial; the label of the button that is held. */
-  async function moving(): Promise<string> {
+  async function moving(page: Page, url?: string): Promise<string> {
     await expect.poll(holder).toBeNull();
-    await open();
+    await open(page, url);
     expect(await tab.evaluate("document.visibilityState")).toBe("visible");
     await press("Take the controls");
     await tab.until(`document.body.innerText.includes("You have the controls")`);
     if (((await fixture.send("GET", "/control")) as { readonly mode: string }).mode !== "programming") await press("Programming");
     // So that it slows down over several states of the robot.
     await tab.evaluate(`(() => {
-      const slider = document.querySelector('[aria-label="Manual control"] input[type="range"]');
+      const slider = document.querySelector(${JSON.stringify(kPages[page].slider)});
       Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value").set.call(slider, ${kShare});
       slider.dispatchEvent(new Event("input", { bubbles: true }));
     })()`);
@@ -65,11 +79,11 @@ describe("a person who is lost with the page that moves the arm", () => {
     return label;
   }
 
-  async function measure(name: string, lose: (label: string) => Promise<void>): Promise<void> {
+  async function measure(name: string, lose: (label: string) => Promise<void>, page: Page = "pro", url?: string): Promise<void> {
     const brakes: number[] = [];
     const stands: number[] = [];
     for (let trial = 0; trial < kTrials; trial++) {
-      const label = await moving();
+      const label = await moving(page, url);
       const lost = Date.now();
       await lose(label);
       await expect.poll(robot.moves, { timeout: 5000 }).toBe(false);
@@ -89,4 +103,17 @@ describe("a person who is lost with the page that moves the arm", () => {
   it("by its tab that is closed", () => measure("closed tab", () => tab.close()));
   it("by its process that ends", () => measure("ended process", () => tab.crash()));
   it("or the button is released", () => measure("released button", (label) => tab.mouse("mouseReleased", label)));
+  it("on a phone: by another page that is shown", () => measure("hidden page of a phone", () => tab.showAnother(), "phone"));
+  it("on a phone: or the button is released", () => measure("released button of a phone", (label) => tab.mouse("mouseReleased", label), "phone"));
+  it("on a phone: by its network, which it says", () =>
+    measure(
+      "lost network of a phone",
+      async () => {
+        network.lose();
+        await tab.until(`document.querySelector('[aria-label="No connection"]')`);
+        network.restore();
+      },
+      "phone",
+      network.url,
+    ));
 });

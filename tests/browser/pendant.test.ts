@@ -16,6 +16,10 @@ const turn = (state: string, other: string, base: number) => ({ state, entry: mo
 /** Moves to and fro. */
 const toAndFro = { rcm: 1, name: "toAndFro", root: { state: "Root", doc: "Turns the arm to and fro.", first: "TurnLeft", children: [turn("TurnLeft", "TurnRight", 0.6), turn("TurnRight", "TurnLeft", -0.6)] } };
 
+interface Answer {
+  readonly result: { readonly pose: { readonly position: readonly number[] } };
+}
+
 describe("a phone as teach pendant", () => {
   let fixture: Fixture;
   let page: Page;
@@ -70,8 +74,8 @@ describe("a phone as teach pendant", () => {
 
   const moves = (wanted: boolean) => expect.poll(arm.moves, kSoon).toBe(wanted);
 
-  /** Everything that is pressed is large enough, on the screen, and axe-core finds nothing. */
-  async function looksGood(name: string): Promise<void> {
+  /** `part`: of a page that has the controls, and has them afterwards. Everything that is pressed is large enough, on the screen, and axe-core finds nothing. */
+  async function looksGood(name: string, part?: string): Promise<void> {
     await fixture.screenshot(name, page);
     const width = page.viewportSize()?.width ?? 0;
     for (const target of await page.locator("button:visible, nav a:visible, input:not([type=checkbox]):visible, label:has(input[type=checkbox]):visible").all()) {
@@ -82,6 +86,10 @@ describe("a phone as teach pendant", () => {
       expect((box?.x ?? 0) + (box?.width ?? 0), text).toBeLessThanOrEqual(width);
     }
     expect(await findings(page), name).toEqual([]);
+    // The search for findings keeps the page from its signs of life.
+    if (part === undefined) return;
+    await page.goto("about:blank");
+    await prepare(part);
   }
 
   it("is a light page: 300 kB at most, as they come over the network", async () => {
@@ -106,7 +114,7 @@ describe("a phone as teach pendant", () => {
 
   it("moves a joint while a finger holds the button, slowly at first, and no longer", async () => {
     await prepare("joints");
-    await looksGood("pendant-joints");
+    await looksGood("pendant-joints", "joints");
     const lift = await hold("Joint 1 plus, while held");
     await moves(true);
     await fixture.screenshot("pendant-held", page);
@@ -116,8 +124,8 @@ describe("a phone as teach pendant", () => {
 
   it("moves the tool along its own axes", async () => {
     await prepare("tool");
+    await looksGood("pendant-tool", "tool");
     await button("Axes of the tool").tap();
-    await looksGood("pendant-tool");
     const lift = await hold("Tool along Z minus, while held");
     await moves(true);
     await lift();
@@ -134,6 +142,63 @@ describe("a phone as teach pendant", () => {
     });
     await moves(false);
     await page.getByText("You have LOST the controls").waitFor();
+  });
+
+  it("gives way to a hand while a finger holds the button, and the pose is saved without typing", async () => {
+    await prepare("hand");
+    const lead = button("Lead the arm by hand, while held");
+    await lead.waitFor();
+    await looksGood("pendant-hand", "hand");
+    const lift = await hold("Lead the arm by hand, while held");
+    await fixture.send("POST", "/cell/person", { act: "grab", hand: "right", body: "link_7", stiffness: 500, limit: 60, keep: 10 });
+    await fixture.send("POST", "/cell/person", { act: "drag", hand: "right", by: [0, 0.1, 0], speed: 0.1 });
+    await moves(true);
+    await page.waitForTimeout(600);
+    await lift();
+    await moves(false);
+    await button("Save pose").tap();
+    await page.getByText("Saved as pose1.").waitFor();
+    await button("By hand").waitFor();
+  });
+
+  it("goes to a saved pose while a finger holds its button, and stays where it is let go", async () => {
+    await prepare("poses");
+    const go = "Go to pose1, while held";
+    if ((await button(go).count()) === 0) {
+      await button("Save pose").tap();
+      await button(go).waitFor();
+    }
+    await page.getByRole("button", { name: "Joints" }).tap();
+    const away = await hold("Joint 1 minus, while held");
+    await moves(true);
+    await page.waitForTimeout(1500);
+    await away();
+    await moves(false);
+    await page.getByRole("button", { name: "Poses" }).tap();
+    await looksGood("pendant-poses", "poses");
+    const lift = await hold(go);
+    await moves(true);
+    await lift();
+    await moves(false);
+    const arrive = await hold(go);
+    await moves(true);
+    await moves(false);
+    await arrive();
+    const { pose } = ((await fixture.send("POST", "/services/db/calls", { operation: "get", kwargs: { key: "pose_pose1" } })) as Answer).result;
+    const now = ((await fixture.send("POST", "/services/robot/calls", { operation: "state" })) as Answer).result.pose;
+    now.position.forEach((at, i) => expect(at).toBeCloseTo(pose.position[i] ?? Number.NaN, 3));
+    await button("Remove pose1").tap();
+    await page.getByRole("button", { name: "Remove pose1", exact: true }).last().tap();
+    await button(go).waitFor({ state: "detached" });
+  });
+
+  it("opens and closes the gripper", async () => {
+    await prepare("joints");
+    const gripper = page.getByRole("group", { name: "Gripper gripper" });
+    await gripper.getByRole("button", { name: "Close" }).tap();
+    await gripper.getByRole("status").filter({ hasText: /met|part/ }).waitFor();
+    await gripper.getByRole("button", { name: "Open" }).tap();
+    await page.getByText("Open.", { exact: true }).waitFor();
   });
 
   it("starts a task, says what it does, pauses it and ends it", async () => {
@@ -157,6 +222,13 @@ describe("a phone as teach pendant", () => {
     await moves(false);
     await run.getByRole("button", { name: "Start again" }).tap();
     await moves(true);
+    await page.getByRole("button", { name: "Take the controls" }).tap();
+    const speed = page.getByRole("slider", { name: "Robot speed" });
+    await speed.fill("0");
+    await moves(false);
+    await page.getByText("it waits on its way").waitFor();
+    await speed.fill("1");
+    await moves(true);
   });
 
   it.each([["move/joints", "pendant-landscape-joints"], ["move/hand", "pendant-landscape-hand"], ["run", "pendant-landscape-run"], ["show", "pendant-landscape-show"]])("lies on its side: %s", async (hash, name) => {
@@ -164,6 +236,28 @@ describe("a phone as teach pendant", () => {
     page = await (await fixture.openContext({ ...devices["Pixel 7 landscape"] })).newPage();
     await open(`#${hash}`);
     await looksGood(name);
+  });
+
+  it("opens without a server, once it was there, and says so", async () => {
+    await open("#show");
+    await page.evaluate(() => navigator.serviceWorker.ready.then(() => undefined));
+    fixture.allowError(/ERR_INTERNET_DISCONNECTED/);
+    await page.context().setOffline(true);
+    await page.reload();
+    await page.getByRole("heading", { name: "phone1" }).waitFor();
+    await page.context().setOffline(false);
+    await page.getByRole("status", { name: "Connection" }).filter({ hasText: "Connected" }).waitFor();
+  });
+
+  it("is the display of its place", async () => {
+    await page.goto(`${fixture.url}/display/?name=phone1&place=gripper`);
+    await page.getByRole("status", { name: "Connection" }).filter({ hasText: "Connected" }).waitFor();
+    await fixture.send("PUT", "/documents/there", { rcm: 1, name: "there", root: { state: "Root", entry: "svc.display.show_progress('Half of it', 0.5, display='@gripper')" } });
+    const { id } = (await fixture.send("POST", "/cores", { document: "there" })) as { readonly id: string };
+    await fixture.send("POST", `/cores/${id}/start`);
+    await page.getByText("Half of it").first().waitFor();
+    expect(await page.getByRole("progressbar").getAttribute("value")).toBe("0.5");
+    await looksGood("pendant-progress");
   });
 
   it("loses the server: nobody overlooks it, and nothing can be pressed", async () => {

@@ -1,6 +1,6 @@
 // What a newcomer meets: an empty page with tasks to start, and the way to a phone.
-import jsQR from "jsqr";
 import { findings } from "./axe";
+import { readCode } from "./qrCode";
 import { openFixture, settled, type Fixture } from "./fixture";
 
 let fixture: Fixture;
@@ -39,7 +39,7 @@ describe("the page without a run", () => {
     const address = `http://localhost:${new URL(fixture.url).port}/display/?name=left-hand`;
     await dialog.getByRole("link", { name: address }).waitFor();
     expect(await dialog.innerText()).toContain("Another device needs the network");
-    expect(await readCode(await dialog.getByRole("img", { name: `QR code of ${address}` }).screenshot())).toBe(address);
+    expect(await readCode(page, await dialog.getByRole("img", { name: `QR code of ${address}` }).screenshot())).toBe(address);
     expect(await findings(page)).toEqual([]);
     await fixture.screenshot("pairing");
     await dialog.getByLabel("Name of the display").fill("all");
@@ -68,18 +68,3 @@ describe("the page without a run", () => {
     await expect.poll(() => new URL(page.url()).searchParams.get("edit"), kSoon).toBe("waiting");
   });
 });
-
-/** What a picture of a QR code says. */
-async function readCode(png: Buffer): Promise<string | undefined> {
-  const { width, height, pixels } = await fixture.page.evaluate(async (source) => {
-    const image = new Image();
-    image.src = source;
-    await image.decode();
-    const canvas = document.createElement("canvas");
-    Object.assign(canvas, { width: image.width, height: image.height });
-    const context = canvas.getContext("2d");
-    context?.drawImage(image, 0, 0);
-    return { width: image.width, height: image.height, pixels: [...(context?.getImageData(0, 0, image.width, image.height).data ?? [])] };
-  }, `data:image/png;base64,${png.toString("base64")}`);
-  return jsQR(Uint8ClampedArray.from(pixels), width, height)?.data;
-}

@@ -1,6 +1,7 @@
 // The login of a display: large, for a phone.
 import { useState, type SubmitEvent } from "react";
 import { messageOf } from "../shared/messageOf";
+import { PairingNotice } from "./PairingNotice";
 import { StoppedBanner } from "../stop/StoppedBanner";
 import { trustAddress } from "../shared/trust/trustAddress";
 
@@ -31,6 +32,7 @@ export function Login({ logIn }: Props) {
       <StoppedBanner refusal="log in first" fetcher={fetch} />
       <form className="display login" aria-label="Log in" onSubmit={(event) => void enter(event)}>
         <h1>Log in to RACE</h1>
+        <PairingNotice />
         <input aria-label="Name" placeholder="Name" autoComplete="username" autoCapitalize="none" spellCheck={false} maxLength={40} value={name} onChange={(event) => setName(event.target.value)} />
         <input aria-label="Password" placeholder="Password" type="password" autoComplete="current-password" value={password} onChange={(event) => setPassword(event.target.value)} />
         {reason !== undefined && (

@@ -18,11 +18,11 @@ export function playSound(sound: Sound | undefined, isAllowed: boolean, played: 
   player.play(schedule(sound), sound.volume, () => played(sound.id));
 }
 
-/** How a phone shakes [ms on, off, on ..]; a browser that cannot is silent. */
+/** How a phone shakes [ms on, off, on ..], once it was touched; a browser that cannot is silent. */
 export const kBuzz = { press: [20], refused: [60, 60, 60], question: [200, 100, 200], lost: [400, 150, 400, 150, 400] } as const;
 
 export function buzz(kind: keyof typeof kBuzz): void {
-  if ("vibrate" in navigator) navigator.vibrate([...kBuzz[kind]]);
+  if ("vibrate" in navigator && navigator.userActivation.hasBeenActive) navigator.vibrate([...kBuzz[kind]]);
 }
 
 /** That something is wrong which a person must not overlook. */

@@ -298,7 +298,9 @@ TEST_F(ControlsTest, OfManyAtOnceOneHasThem) {
         const auto number = control.take("person", std::chrono::steady_clock::now());
         if (!number) {
           const std::uint64_t other = holder;
-          if (other != 0 && !control.refuse({Control::caller(other + 1), 1, 0}, "robot")) ++wrong;
+          if (other != 0 &&
+              !control.refuse({Control::caller(other + 1), 1, 0}, "robot", services::MotionEffect::motion))
+            ++wrong;
           continue;
         }
         if (holder.exchange(*number) != 0) ++wrong;
@@ -345,7 +347,7 @@ TEST_F(ControlTest, OfManyRunsAtOnceOneHasAService) {
   for (int run = 0; run < 8; ++run)
     runs.emplace_back([&, core = std::to_string(run)] {
       for (int attempt = 0; attempt < 2000; ++attempt) {
-        if (control.refuse({core, 1, fence}, "robot")) continue;
+        if (control.refuse({core, 1, fence}, "robot", services::MotionEffect::motion)) continue;
         const int now = ++holders;
         if (now > most) most = now;
         ++turns;

@@ -3,7 +3,8 @@ import { useEffect, useRef, useState } from "react";
 import { controls } from "../../control/page";
 import { messageOf } from "../../shared/messageOf";
 import { overridable } from "../../shared/control/jog";
-import { useRefusal, useSession } from "../client";
+import { isObject } from "../../shared/json";
+import { api, useRefusal, useSession } from "../client";
 
 /** After the last movement of the slider [ms], so that not each one is a call. */
 const kSettle = 150;
@@ -16,6 +17,17 @@ export function SpeedOverride() {
   const [problem, setProblem] = useState<string>();
   const timer = useRef<ReturnType<typeof setTimeout>>(undefined);
   useEffect(() => () => clearTimeout(timer.current), []);
+  const isThere = useSession((now) => now.connection === "open");
+  useEffect(() => {
+    if (robot === undefined || !isThere) return;
+    api.callService(robot, "state", {}).then(
+      (state) => {
+        const set = isObject(state) ? state["speed_override"] : undefined;
+        if (typeof set === "number") setShare(set);
+      },
+      () => undefined, // it is not known, then
+    );
+  }, [robot, isThere]);
   if (robot === undefined) return null;
   const change = (next: number) => {
     setShare(next);
@@ -30,7 +42,7 @@ export function SpeedOverride() {
       );
     }, kSettle);
   };
-  const text = share === undefined ? "as it was set" : share === 0 ? "it waits on its way" : `${Math.round(share * 100)} %`;
+  const text = share === undefined ? "not known" : share === 0 ? "it waits on its way" : `${Math.round(share * 100)} %`;
   return (
     <section aria-label="Speed of the robot">
       <label className="slider">

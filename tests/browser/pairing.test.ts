@@ -1,0 +1,98 @@
+// A phone is paired: a person who is logged in shows it a code, it scans the code, and may from then on what they have said.
+import { execFileSync } from "node:child_process";
+import { devices, type Page } from "playwright-core";
+import { findings } from "./axe";
+import { binary, openPrepared, type Fixture } from "./fixture";
+import { readCode } from "./qrCode";
+
+const kPassword = "correct horse battery";
+
+let fixture: Fixture;
+beforeAll(async () => {
+  fixture = await openPrepared((data) => {
+    for (const [name, role] of [["ada", "admin"], ["otto", "operator"]] as const) execFileSync(binary, ["account", "add", name, "--role", role, "--data", data], { input: `${kPassword}\n` });
+  });
+});
+afterAll(() => fixture.close());
+
+const dialog = (page: Page) => page.getByRole("dialog", { name: "Pair a phone" });
+
+/** The expert page of an account, with the dialog by which it pairs a phone. */
+async function openDialog(name: string): Promise<Page> {
+  const page = await (await fixture.openContext({ viewport: { width: 1366, height: 768 } })).newPage();
+  page.setDefaultTimeout(20_000);
+  await page.goto(`${fixture.url}/pro/`);
+  await page.getByLabel("Name", { exact: true }).fill(name);
+  await page.getByLabel("Password", { exact: true }).fill(kPassword);
+  await page.keyboard.press("Enter");
+  await page.getByRole("tab", { name: "Services" }).click();
+  await page.getByRole("button", { name: "Pair a phone" }).click();
+  await dialog(page).waitFor();
+  return page;
+}
+
+/** What the code on the page says. */
+async function scan(page: Page): Promise<string> {
+  const address = await readCode(page, await dialog(page).getByRole("img", { name: /^QR code of .*#code=/ }).screenshot());
+  if (address === undefined) throw new Error("no reader reads the code");
+  return address;
+}
+
+async function phone(address: string): Promise<Page> {
+  const page = await (await fixture.openContext({ ...devices["Pixel 7"] })).newPage();
+  page.setDefaultTimeout(20_000);
+  await page.goto(address.replace("localhost", "127.0.0.1"));
+  return page;
+}
+
+const paired = (page: Page) => page.getByRole("region", { name: "Pairing" });
+
+describe("a phone that scans a code", () => {
+  it("is the display that was said, may what was said, and keeps no secret in its address", async () => {
+    const page = await openDialog("ada");
+    await dialog(page).getByLabel("Name of the display").fill("left");
+    await dialog(page).getByLabel("Its place").fill("gripper");
+    const address = await scan(page);
+    expect(await findings(page)).toEqual([]);
+    await fixture.screenshot("pairing-code", page);
+    const device = await phone(address);
+    await paired(device).getByText("Paired by ada until").waitFor();
+    await device.getByRole("status", { name: "Connection" }).filter({ hasText: "Connected" }).waitFor();
+    expect(new URL(device.url()).hash).toBe("");
+    expect(new URL(device.url()).search).toBe("?name=left&place=gripper");
+    await fixture.screenshot("paired-phone", device);
+    await paired(device).getByRole("button", { name: "OK" }).tap();
+    await device.getByRole("link", { name: "Move" }).tap();
+    await device.getByRole("button", { name: "Take the controls" }).first().tap();
+    await device.getByText("You have the controls").waitFor();
+    // It is paired as long as was said, not as long as the page is open.
+    await device.reload();
+    await device.getByRole("status", { name: "Connection" }).filter({ hasText: "Connected" }).waitFor();
+    await device.context().close();
+    await page.context().close();
+  });
+
+  it("is let in by a code once, and says what to do then", async () => {
+    fixture.allowError(/status of 401/);
+    const page = await openDialog("otto");
+    const address = await scan(page);
+    const first = await phone(address);
+    await paired(first).getByText("Paired by otto until").waitFor();
+    const second = await phone(address);
+    await paired(second).getByText("Show a new code on the page that you scanned").waitFor();
+    await second.getByRole("form", { name: "Log in" }).waitFor();
+    for (const each of [page, first, second]) await each.context().close();
+  });
+
+  it("changes nothing as an observer", async () => {
+    const page = await openDialog("ada");
+    await dialog(page).getByLabel("What it may").selectOption("observer");
+    await page.waitForTimeout(300);
+    const device = await phone(await scan(page));
+    await paired(device).getByText("sees everything, changes nothing").waitFor();
+    await paired(device).getByRole("button", { name: "OK" }).tap();
+    await device.getByRole("link", { name: "Move" }).tap();
+    expect(await device.getByRole("button", { name: "Take the controls" }).first().isDisabled()).toBe(true);
+    for (const each of [page, device]) await each.context().close();
+  });
+});
