@@ -39,7 +39,7 @@ const kept = (page: Page): Promise<Kept> =>
 
 async function visit(page: Page, address: string): Promise<void> {
   await page.goto(`${fixture.url}${address}`);
-  if (address === "/pro/") await page.locator(".start-picture svg").nth(1).waitFor({ timeout: 30_000 });
+  if (address === "/pro/") await page.locator(".start-picture svg").nth(2).waitFor({ timeout: 30_000 });
   else await settled(page);
 }
 
