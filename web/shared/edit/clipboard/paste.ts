@@ -36,7 +36,7 @@ function readPasted(text: string): Pasted | { readonly reason: string } {
 }
 
 /** The element with new ids, and all in it; `copies`: notes the new id of each. */
-function withNewIds(element: ExactObject, newId: NewId, copies: Map<string, string>): ExactObject {
+export function withNewIds(element: ExactObject, newId: NewId, copies: Map<string, string>): ExactObject {
   const { meta } = element;
   const id = newId();
   if (isExactObject(meta) && typeof meta["id"] === "string") copies.set(meta["id"], id);

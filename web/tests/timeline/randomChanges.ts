@@ -1,0 +1,205 @@
+// Random changes of an application, and what its time lines are to be after each: kept by plain lists, apart from the document.
+import { apply, type Operation } from "../../shared/edit/apply";
+import type { Command } from "../../shared/edit/commands/command";
+import { plain } from "../../shared/edit/exact";
+import { Refusal } from "../../shared/edit/refusal";
+import type { Tree } from "../../shared/edit/tree";
+import { skillsIn } from "../../shared/skills/skill";
+import { addSkill, addTask } from "../../shared/timeline/changes/add";
+import type { Supplies } from "../../shared/timeline/changes/draft";
+import { setFailure, setOutcome } from "../../shared/timeline/changes/failure";
+import { loopSteps, unloop } from "../../shared/timeline/changes/loop";
+import { duplicateStep, moveStep, removeStep, renameStep, setDisabled } from "../../shared/timeline/changes/steps";
+import { readApplication, readLoop } from "../../shared/timeline/read";
+import type { Failure, Goes, TimeLine } from "../../shared/timeline/timeLine";
+import type { Random } from "../edit/random";
+import { emptyApp, exactOf, skills } from "../skills/fixture";
+
+/** A step as it is expected: what is in it, if it is a task or a loop. */
+export interface Expected {
+  readonly id: string;
+  kind: string;
+  title: string;
+  disabled: boolean;
+  failure: Failure | undefined;
+  goes: Record<string, Goes>;
+  steps: Expected[] | undefined;
+}
+
+/** The same of what was read; throws if a time line does not have the form. */
+export function shapeOf(line: TimeLine): Expected[] {
+  if (line.form !== "editable") throw new Error(`${line.id} is ${line.form}: ${line.reason}`);
+  return line.steps.map(({ id, kind, title, disabled, failure, outcomes, inner }) => ({
+    id, kind, title, disabled, failure, goes: Object.fromEntries(outcomes.map(({ port, goes }) => [port.name, goes])), steps: inner && shapeOf(inner),
+  }));
+}
+
+interface Place {
+  /** Id of the composite. */
+  readonly composite: string;
+  readonly steps: Expected[];
+}
+
+const kSkills = skillsIn(skills.tree);
+const kFailures: readonly Failure[] = [{ kind: "stop" }, { kind: "next" }, { kind: "ask" }, { kind: "retry", then: "stop" }, { kind: "retry", then: "next" }, { kind: "retry", then: "ask" }];
+
+export class RandomTask {
+  tree: Tree = emptyApp;
+  readonly expected: Expected[] = [];
+  /** Of the last change. */
+  operations: readonly Operation[] = [];
+  private count = 0;
+  private readonly supplies: Supplies = { newId: () => `n${this.count++}`, documents: [skills] };
+
+  constructor(private readonly random: Random) {}
+
+  /** One change; what it was. Requires that it is not refused. */
+  change(): string {
+    const { random } = this;
+    const places = this.places();
+    const place = random.of(places);
+    const kinds = [...(place.composite === "root" ? ["task"] : ["skill", "skill", "skill"]), ...(place.steps.length > 0 ? ["move", "duplicate", "disable", "remove", "failure", "outcome", "loop", "unloop", "rename"] : [])];
+    const kind = this.sizeOf(this.expected) > 40 && place.steps.length > 0 ? "remove" : random.of(kinds);
+    const step = place.steps.length > 0 ? random.of(place.steps) : undefined;
+    return `${kind} ${this.make(kind, place, step)}`;
+  }
+
+  private sizeOf = (steps: readonly Expected[]): number => steps.reduce((sum, { steps: inner = [] }) => sum + 1 + this.sizeOf(inner), 0);
+
+  private places(): readonly Place[] {
+    const within = (steps: readonly Expected[]): readonly Place[] => steps.flatMap((step) => (step.steps === undefined ? [] : [{ composite: this.compositeOf(step), steps: step.steps }, ...within(step.steps)]));
+    return [{ composite: "root", steps: this.expected }, ...within(this.expected)];
+  }
+
+  private compositeOf({ id, kind }: Expected): string {
+    if (kind !== "loop") return id;
+    const parts = readLoop(this.tree, id);
+    if ("reason" in parts) throw new Error(parts.reason);
+    return parts.body;
+  }
+
+  private take(command: Command): string {
+    if ("reason" in command) throw new Error(command.reason);
+    if (!("operations" in command.change)) throw new Error("the server makes this change");
+    this.operations = plain<readonly Operation[]>(command.change.operations);
+    const applied = apply(this.tree, { operations: this.operations });
+    if (applied instanceof Refusal) throw applied;
+    this.tree = applied.tree;
+    return command.select ?? "";
+  }
+
+  private make(kind: string, { composite, steps }: Place, step: Expected | undefined): string {
+    const { random, tree, supplies } = this;
+    if (kind === "task") {
+      const index = random.pick(steps.length + 1);
+      const title = `Task ${this.count}`;
+      const id = this.take(addTask(tree, composite, index, title, supplies));
+      steps.splice(index, 0, { id, kind: "task", title, disabled: false, failure: { kind: "stop" }, goes: {}, steps: [] });
+      return id;
+    }
+    if (kind === "skill") {
+      const skill = random.of(kSkills);
+      const index = random.pick(steps.length + 1);
+      const id = this.take(addSkill(tree, composite, index, { document: "skills", id: skill.id }, supplies));
+      const goes = Object.fromEntries(skill.ports.filter(({ name, advice }) => advice === undefined && name !== skill.nominal).map(({ name }) => [name, "end"] as const));
+      const fails = skill.ports.some(({ advice }) => advice !== undefined);
+      steps.splice(index, 0, { id, kind: "skill", title: skill.title, disabled: false, failure: fails ? { kind: "stop" } : undefined, goes, steps: undefined });
+      return skill.name;
+    }
+    if (step === undefined) throw new Error("there is no step");
+    const at = steps.indexOf(step);
+    switch (kind) {
+      case "move":
+        return this.move(step, steps);
+      case "duplicate": {
+        this.take(duplicateStep(tree, exactOf(tree), step.id, supplies));
+        const made = this.read(composite)[at + 1];
+        steps.splice(at + 1, 0, renewed(step, made));
+        return step.id;
+      }
+      case "disable":
+        step.disabled = !step.disabled;
+        this.take(setDisabled(tree, step.id, step.disabled, supplies));
+        return step.id;
+      case "remove":
+        this.take(removeStep(tree, step.id, supplies));
+        steps.splice(at, 1);
+        return step.id;
+      case "failure": {
+        if (step.failure === undefined) return "nothing";
+        const failure = random.of(kFailures);
+        const command = setFailure(tree, step.id, failure, supplies);
+        if ("reason" in command && JSON.stringify(failure) === JSON.stringify(step.failure)) return "as it was";
+        this.take(command);
+        step.failure = failure;
+        return `${step.id} ${JSON.stringify(failure)}`;
+      }
+      case "outcome": {
+        const ports = Object.keys(step.goes);
+        if (ports.length === 0) return "nothing";
+        const port = random.of(ports);
+        const goes = step.goes[port] === "end" ? "next" : "end";
+        this.take(setOutcome(tree, step.id, port, goes, supplies));
+        step.goes[port] = goes;
+        return `${step.id} ${port} ${goes}`;
+      }
+      case "loop":
+        return this.loop(steps, at);
+      case "unloop":
+        if (step.kind !== "loop") return "nothing";
+        this.take(unloop(tree, step.id, supplies));
+        steps.splice(at, 1, ...(step.steps ?? []));
+        return step.id;
+      default:
+        step.title = `Name ${this.count++}`;
+        this.take(renameStep(tree, step.id, step.title, supplies));
+        return step.id;
+    }
+  }
+
+  private read(composite: string): Expected[] {
+    const find = (steps: readonly Expected[]): Expected[] | undefined => {
+      for (const step of steps) {
+        if (step.steps === undefined) continue;
+        const found = this.compositeOf(step) === composite ? step.steps : find(step.steps);
+        if (found !== undefined) return found;
+      }
+      return undefined;
+    };
+    const all = shapeOf(readApplication(this.tree).root);
+    return composite === "root" ? all : (find(all) ?? []);
+  }
+
+  private move(step: Expected, steps: Expected[]): string {
+    const places = this.places().filter(({ composite, steps: there }) => composite !== "root" === (step.kind !== "task" || steps !== this.expected) && !contains(step, there));
+    if (places.length === 0) return "nothing";
+    const target = this.random.of(places);
+    const length = target.steps.length - (target.steps === steps ? 1 : 0);
+    const index = this.random.pick(length + 1);
+    const command = moveStep(this.tree, step.id, target.composite, index, this.supplies);
+    if ("reason" in command && target.steps === steps && steps.indexOf(step) === index) return "where it was";
+    this.take(command);
+    steps.splice(steps.indexOf(step), 1);
+    target.steps.splice(index, 0, step);
+    return `${step.id} to ${target.composite} at ${index}`;
+  }
+
+  private loop(steps: Expected[], at: number): string {
+    const group = steps.slice(at, at + 1 + this.random.pick(3));
+    const command = loopSteps(this.tree, group.map(({ id }) => id), 3, this.supplies);
+    if ("reason" in command) {
+      if (!command.reason.includes("repeat both")) throw new Error(command.reason);
+      return command.reason;
+    }
+    const id = this.take(command);
+    steps.splice(at, group.length, { id, kind: "loop", title: "Repeat", disabled: false, failure: { kind: "stop" }, goes: {}, steps: group });
+    return group.map((step) => step.id).join(" ");
+  }
+}
+
+const contains = (step: Expected, steps: readonly Expected[]): boolean => step.steps === steps || (step.steps ?? []).some((inner) => contains(inner, steps));
+
+/** A copy of a step, with the ids of `made`. */
+function renewed(step: Expected, made: Expected | undefined): Expected {
+  return { ...step, id: made?.id ?? "", goes: { ...step.goes }, steps: step.steps?.map((inner, i) => renewed(inner, made?.steps?.[i])) };
+}
