@@ -27,5 +27,5 @@ export default defineConfig(
     rules: { "no-unused-vars": ["error", { ignoreRestSiblings: true }] },
   },
   { files: ["web/public/**"], languageOptions: { sourceType: "script", globals: { document: "readonly", localStorage: "readonly" } } },
-  { files: ["web/pro/**", "web/display/**", "web/stop/**", "web/control/**"], extends: [hooks.configs.flat.recommended] },
+  { files: ["web/pro/**", "web/one/**", "web/display/**", "web/stop/**", "web/control/**"], extends: [hooks.configs.flat.recommended] },
 );

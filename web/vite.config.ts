@@ -22,6 +22,7 @@ export default defineConfig({
       input: {
         index: here("index.html"),
         pro: here("pro/index.html"),
+        one: here("one/index.html"),
         display: here("display/index.html"),
         trust: here("trust/index.html"),
         sw: here("display/sw.ts"),

@@ -8,7 +8,7 @@ import { api, useView } from "../client";
 import { useRefusal } from "../login/rights";
 import { Leases } from "../panels/Leases";
 import { listenToTheme } from "../theme/theme";
-import { CellScene } from "./CellScene";
+import { CellScene } from "../../cell/CellScene";
 import { CellTool } from "./CellTool";
 import { PartList } from "./PartList";
 import { useResetAsked } from "./reset";

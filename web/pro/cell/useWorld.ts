@@ -4,7 +4,7 @@ import type { Body } from "../../generated/messages";
 import { loadInAttempts } from "../../shared/cell/attempts";
 import { cellUnavailable } from "../../shared/session/session";
 import { access, api, useSession } from "../client";
-import type { RobotModel } from "./CellScene";
+import type { RobotModel } from "../../cell/CellScene";
 import { messageOf } from "../../shared/messageOf";
 
 export interface World {

@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 import { literalsOfCode, literalsOfValue } from "./literals";
 import { declarations, sheetsOf, sources } from "./sources";
 
-const kPages = ["pro", "display", "stop", "control", "trust"] as const;
+const kPages = ["pro", "one", "cell", "display", "stop", "control", "trust"] as const;
 
 describe("literal colours", () => {
   test.each(["#fff", "1px solid #c2ccc7", "rgb(255 255 255 / 90%)", "0 1px 2px hsl(20 10% 10%)", "white", "2px dashed Red"])("`%s` is found in a style sheet", (value) => {

@@ -3,7 +3,7 @@ import { contrast, over, palette, rgbaOf, type Palette, type Rgba } from "./cont
 import { graphicsPairs, textPairs, type Pairs } from "./pairs";
 import { declarations, sheetsOf } from "./sources";
 
-const kPages = ["pro", "display", "stop", "control", "trust"] as const;
+const kPages = ["pro", "one", "cell", "display", "stop", "control", "trust"] as const;
 const kViews = kPages.flatMap((page) => (["light", "dark"] as const).map((theme) => ({ page, theme })));
 
 function colour(colours: Palette, token: string): Rgba {

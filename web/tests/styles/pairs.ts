@@ -61,9 +61,9 @@ const kStopText: Pairs = { stop: ["on-stop"], "stop-pressed": ["on-stop"], panel
 const kControlText: Pairs = { panel: ["ink", "soft"], paper: ["ink"], ink: ["panel"] };
 
 /** Text: at least 4.5:1. */
-export const textPairs: Readonly<Record<PageName, Pairs>> = { pro: kProText, display: kDisplayText, stop: kStopText, control: kControlText, trust: kDisplayText };
+export const textPairs: Readonly<Record<PageName, Pairs>> = { pro: kProText, one: kProText, cell: kProText, display: kDisplayText, stop: kStopText, control: kControlText, trust: kDisplayText };
 
 const kDisplayGraphics: Pairs = { paper: ["soft", "choice"], panel: ["soft"] };
 
 /** Lines, borders that carry a meaning, signs, dots and the focus: at least 3:1. */
-export const graphicsPairs: Readonly<Record<PageName, Pairs>> = { pro: kProGraphics, display: kDisplayGraphics, stop: { stop: ["on-stop"], panel: ["soft"] }, control: { panel: ["soft", "ink"], ink: ["panel"] }, trust: kDisplayGraphics };
+export const graphicsPairs: Readonly<Record<PageName, Pairs>> = { pro: kProGraphics, one: kProGraphics, cell: kProGraphics, display: kDisplayGraphics, stop: { stop: ["on-stop"], panel: ["soft"] }, control: { panel: ["soft", "ink"], ink: ["panel"] }, trust: kDisplayGraphics };

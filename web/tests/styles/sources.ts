@@ -3,12 +3,12 @@ import { readdirSync, readFileSync } from "node:fs";
 import { join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
 
-/** The page on trust has the colours of the display page; STOP, which is on all pages, uses those and its own, the controls those alone. */
-export type PageName = "pro" | "display" | "stop" | "control" | "trust";
+/** The novice page and the scene of the cell have the colours of the expert page. The page on trust has the colours of the display page; STOP, which is on all pages, uses those and its own, the controls those alone. */
+export type PageName = "pro" | "one" | "cell" | "display" | "stop" | "control" | "trust";
 
 const folderOf = (page: PageName): string => fileURLToPath(new URL(`../../${page}`, import.meta.url));
 
-const kTokens: Readonly<Record<PageName, readonly string[]>> = { pro: ["styles/tokens.css"], display: ["tokens.css"], stop: ["tokens.css", "../display/tokens.css"], control: ["../display/tokens.css"], trust: ["../display/tokens.css"] };
+const kTokens: Readonly<Record<PageName, readonly string[]>> = { pro: ["styles/tokens.css"], one: ["../pro/styles/tokens.css"], cell: ["../pro/styles/tokens.css"], display: ["tokens.css"], stop: ["tokens.css", "../display/tokens.css"], control: ["../display/tokens.css"], trust: ["../display/tokens.css"] };
 
 export interface Source {
   /** In the folder of the page, e.g. `styles/canvas.css`. */

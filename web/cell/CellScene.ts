@@ -17,11 +17,11 @@ import {
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import URDFLoader, { type URDFRobot } from "urdf-loader";
-import type { Cloud } from "../../shared/cell/cloud";
-import type { Hand } from "../../shared/cell/hand";
-import { looksDifferent } from "../../shared/cell/redraw";
-import type { Body, CellPose, Pose, Shape } from "../../generated/messages";
-import { tokenColour } from "../theme/tokenColour";
+import type { Cloud } from "../shared/cell/cloud";
+import type { Hand } from "../shared/cell/hand";
+import { looksDifferent } from "../shared/cell/redraw";
+import type { Body, CellPose, Pose, Shape } from "../generated/messages";
+import { tokenColour } from "../pro/theme/tokenColour";
 import { CollisionMark } from "./CollisionMark";
 import { Grabbing } from "./Grabbing";
 import { HandLines } from "./HandLines";

@@ -1,8 +1,8 @@
 // Draws hands and pushes: a line to the target, a dot at the contact point, the force beside it; and at a hand that pulls an arm that holds, why it does.
 import { BufferAttribute, BufferGeometry, Group, Line, LineBasicMaterial, Mesh, MeshBasicMaterial, SphereGeometry, Vector3, type Camera } from "three";
-import { apart } from "../../shared/cell/labels";
-import { forceText, lineEnd } from "../../shared/cell/touch";
-import type { Touch } from "../../generated/messages";
+import { apart } from "../shared/cell/labels";
+import { forceText, lineEnd } from "../shared/cell/touch";
+import type { Touch } from "../generated/messages";
 
 /** From the end of a line to its label [px]. */
 const kBeside = 8;

@@ -1,8 +1,8 @@
 // Mouse and touch in the cell: finds the link or part below the pointer and drags its point in a plane that faces
 // the camera. A pointer that hits nothing turns the camera.
 import { Plane, Raycaster, Vector2, Vector3, type Object3D, type PerspectiveCamera } from "three";
-import type { Hand } from "../../shared/cell/hand";
-import type { Vector } from "../../generated/messages";
+import type { Hand } from "../shared/cell/hand";
+import type { Vector } from "../generated/messages";
 
 export interface Found {
   readonly body: string;

@@ -1,6 +1,6 @@
 // Marks the link at which a collision was felt: a ball at its joint, and what is known of it in words.
 import { Mesh, MeshBasicMaterial, SphereGeometry, type Camera, type Object3D } from "three";
-import { apart } from "../../shared/cell/labels";
+import { apart } from "../shared/cell/labels";
 
 /** [m] */
 const kRadius = 0.045;

@@ -1,6 +1,6 @@
 // What is around the bodies of a cell: light, floor and background, in the colours of the theme.
 import { AmbientLight, Color, DirectionalLight, GridHelper, Group, HemisphereLight, type Scene } from "three";
-import { tokenColour } from "../theme/tokenColour";
+import { tokenColour } from "../pro/theme/tokenColour";
 
 export class Surroundings {
   private readonly floor = new Group();

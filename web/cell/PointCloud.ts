@@ -1,6 +1,6 @@
 // Draws what a depth camera sees: a point for each measured pixel, in its colour.
 import { BufferAttribute, BufferGeometry, Points, PointsMaterial } from "three";
-import type { Cloud } from "../../shared/cell/cloud";
+import type { Cloud } from "../shared/cell/cloud";
 
 /** [m] */
 const kSize = 0.006;

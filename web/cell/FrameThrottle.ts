@@ -1,5 +1,5 @@
 // Draws on request, at most once per frame, and pauses after slow frames, so that the page has time for the run.
-import { pauseAfter } from "../../shared/cell/redraw";
+import { pauseAfter } from "../shared/cell/redraw";
 
 export class FrameThrottle {
   private requested = false;

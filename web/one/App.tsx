@@ -1,0 +1,57 @@
+// The frame of the page: what is above on all views, and the view.
+import { Login } from "../display/Login";
+import { ControlBar } from "../control/ControlBar";
+import { refusalTo, type Doing } from "../shared/login/doings";
+import { StoppedBanner } from "../stop/StoppedBanner";
+import { Applications } from "./Applications";
+import { Build } from "./Build";
+import { access, logIn, ownControls, session, useLogin, useSession } from "./client";
+import { Head } from "./Head";
+import { usePlace } from "./place";
+import { RunView } from "./run/RunView";
+import { Told } from "./Told";
+
+export function App() {
+  const asked = useLogin((login) => login.asked);
+  if (asked) return <Login logIn={logIn} />;
+  return <Page />;
+}
+
+function useRefused(doing: Doing): string | undefined {
+  const account = useLogin((login) => refusalTo(login.me, doing));
+  const lost = useSession((s) => s.connection !== "open");
+  return lost ? "the server is not there" : account;
+}
+
+function Page() {
+  const [edit, view] = [usePlace((place) => place.edit), usePlace((place) => place.view)];
+  const lost = useSession((s) => s.connection === "lost");
+  return (
+    <div className={`one${lost ? " is-lost" : ""}`}>
+      <Head />
+      <StoppedBanner refusal={useRefused("reset_stop")} fetcher={access.fetch} />
+      <ControlBar always={false} address={ownControls} refusal={useRefused("take_controls")} refusalToAnswer={useRefused("answer_control")} fetcher={access.fetch} />
+      {lost && (
+        <p className="notice is-bad" role="alert">
+          The server is not there. The page tries again; what you change now is sent when it is back.
+        </p>
+      )}
+      <Problem />
+      {edit === undefined ? <Applications /> : view === "run" ? <RunView name={edit} /> : <Build name={edit} />}
+      <Told />
+    </div>
+  );
+}
+
+function Problem() {
+  const text = useSession((s) => s.problem);
+  if (text === undefined) return null;
+  return (
+    <p className="notice is-bad" role="alert">
+      <span>{text}</span>
+      <button type="button" className="plain" aria-label="Close this message" onClick={() => session.dispatch({ type: "problem", text: undefined })}>
+        ✕
+      </button>
+    </p>
+  );
+}

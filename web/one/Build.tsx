@@ -1,0 +1,46 @@
+// The view in which an application is built: the skills, the tasks, and what is selected.
+import { useEffect, useState } from "react";
+import { SkillLibrary } from "./library/SkillLibrary";
+import { useEditing } from "./editing";
+import { handleKey } from "./keys";
+import { useApplication, useSelected } from "./model";
+import { StepPanel } from "./step/StepPanel";
+import { TaskPanel } from "./step/TaskPanel";
+import { Tasks } from "./line/Tasks";
+import { useSheet, showSheet } from "./sheet";
+
+export function Build({ name }: { readonly name: string }) {
+  const application = useApplication();
+  const unreadable = useEditing((now) => now.session?.unreadable);
+  const selected = useSelected();
+  const sheet = useSheet();
+  const [panel, setPanel] = useState<HTMLElement | null>(null);
+  useEffect(() => {
+    addEventListener("keydown", handleKey);
+    return () => removeEventListener("keydown", handleKey);
+  }, []);
+  // On a small screen the panel lies over the tasks: who opens it is led into it.
+  useEffect(() => {
+    if (sheet === "panel" && panel !== null && getComputedStyle(panel).position === "fixed") panel.focus();
+  }, [sheet, panel]);
+  if (unreadable !== undefined) return <main className="build-empty"><h2>{name} cannot be opened</h2><p>{unreadable.message}</p></main>;
+  if (application === undefined) return <main className="build-empty"><p role="status">Opening {name}…</p></main>;
+  return (
+    <div className="build" data-sheet={sheet ?? "none"}>
+      <SkillLibrary />
+      <Tasks application={application} />
+      <aside className="panel" aria-label="What is selected" tabIndex={-1} ref={setPanel}>
+        <button type="button" className="plain sheet-close" aria-label="Close the settings" onClick={() => showSheet(undefined)}>
+          ✕
+        </button>
+        {selected === undefined ? (
+          <p className="quiet">Choose a step to see what it does and to change it.</p>
+        ) : selected.isTask ? (
+          <TaskPanel key={selected.step.id} step={selected.step} line={selected.line} isEditable={application.isEditable} />
+        ) : (
+          <StepPanel key={selected.step.id} step={selected.step} line={selected.line} application={application} />
+        )}
+      </aside>
+    </div>
+  );
+}

@@ -1,0 +1,75 @@
+// The application that is open: its document, edited through the same session as on the expert page, and what is told of it.
+import { createStore, useSelected } from "../page/store";
+import { openEditor, type Editor } from "../shared/edit/editor";
+import type { Command } from "../shared/edit/commands/command";
+import { refusalText } from "../shared/edit/refusalText";
+import { readExact, type ExactJson } from "../shared/edit/exact";
+import type { EditSession } from "../shared/edit/session";
+import type { Tree } from "../shared/edit/tree";
+import { newId } from "../shared/newId";
+import { refusalTo } from "../shared/login/doings";
+import type { Supplies } from "../shared/timeline/changes/draft";
+import { listenToStream, me, session, api, watchApplication } from "./client";
+import { author } from "./own";
+import { skillDocuments } from "./skills";
+
+interface Editing {
+  readonly document: string | undefined;
+  readonly session: EditSession | undefined;
+  /** Why the last change was not made; or what was done. */
+  readonly told: { readonly text: string; readonly isRefusal: boolean } | undefined;
+}
+
+const store = createStore<Editing, Partial<Editing>>({ document: undefined, session: undefined, told: undefined }, (now, change) => ({ ...now, ...change }));
+export const useEditing = <T>(select: (editing: Editing) => T): T => useSelected(store, select);
+export const useTree = (): Tree | undefined => useEditing((now) => now.session?.view);
+export const treeNow = (): Tree | undefined => store.get().session?.view;
+
+export const tell = (text: string | undefined, isRefusal = true): void => store.dispatch({ told: text === undefined ? undefined : { text, isRefusal } });
+
+let open: { readonly editor: Editor; readonly end: () => void } | undefined;
+
+export function openApplication(name: string | undefined): void {
+  open?.editor.close();
+  open?.end();
+  open = undefined;
+  store.dispatch({ document: name, session: undefined, told: undefined });
+  watchApplication(name);
+  if (name === undefined) return;
+  const { stream, end } = listenToStream({ update: (update) => open?.editor.receive(update), connection: (now) => open?.editor.connection(now) });
+  const editor = openEditor(stream, session.get().connection, name, author(), {
+    onSession: (next) => store.dispatch({ session: next }),
+    onNotice: (notice) => tell(refusalText(notice)),
+  });
+  open = { editor, end };
+  store.dispatch({ session: editor.session() });
+}
+
+/** Makes a change of the document as it is now. The id of what is to be selected then; nothing: it was refused, and that is told. */
+export function perform(make: (tree: Tree, supplies: Supplies) => Command): string | undefined {
+  const tree = treeNow();
+  const refusal = refusalTo(me(), "edit");
+  if (tree === undefined || open === undefined) return undefined;
+  const command = refusal === undefined ? make(tree, { newId, documents: skillDocuments() }) : { reason: refusal };
+  if ("reason" in command) {
+    tell(`Not done: ${command.reason}.`);
+    return undefined;
+  }
+  tell(undefined);
+  open.editor.rename(author());
+  open.editor.edit(command.change);
+  return command.select ?? "";
+}
+
+export function takeBack(which: "undo" | "redo"): void {
+  tell(undefined);
+  open?.editor.edit(which === "undo" ? { undo: true } : { redo: true });
+}
+
+/** The document as the server has written it. */
+export async function exactDocument(): Promise<ExactJson> {
+  const { document } = store.get();
+  if (document === undefined) throw new Error("no application is open");
+  const entry = readExact(await api.documentText(document));
+  return (entry as { readonly document: ExactJson }).document;
+}

@@ -1,0 +1,31 @@
+// The keys of the view in which an application is built; everything they do has a button, too.
+import { duplicateSelected, moveSelected, removeSelected } from "./step/actions";
+import { takeBack } from "./editing";
+import { showSheet } from "./sheet";
+
+const isTyping = (target: EventTarget | null): boolean => target instanceof HTMLElement && (target.matches("input:not([type=range], [type=checkbox], [type=radio]), textarea, select") || target.isContentEditable);
+
+const kWithControl: Readonly<Record<string, () => void>> = {
+  z: () => takeBack("undo"), y: () => takeBack("redo"), Z: () => takeBack("redo"), d: duplicateSelected,
+};
+
+/** The card that has the focus is what Delete and the arrows act on: it is selected. */
+const onCard = (target: EventTarget | null): boolean => target instanceof HTMLElement && target.closest("[data-step]") !== null;
+
+const kOnCard: Readonly<Record<string, () => void>> = { Delete: removeSelected };
+const kWithAlt: Readonly<Record<string, () => void>> = { ArrowLeft: () => moveSelected(-1), ArrowUp: () => moveSelected(-1), ArrowRight: () => moveSelected(1), ArrowDown: () => moveSelected(1) };
+
+export function handleKey(event: KeyboardEvent): void {
+  if (event.defaultPrevented || document.querySelector("dialog[open]") !== null) return;
+  const act = (): (() => void) | undefined => {
+    if (event.key === "Escape") return () => showSheet(undefined);
+    if (isTyping(event.target)) return undefined;
+    if ((event.ctrlKey || event.metaKey) && !event.altKey) return kWithControl[event.key];
+    if (!onCard(event.target)) return undefined;
+    return event.altKey ? kWithAlt[event.key] : kOnCard[event.key];
+  };
+  const found = act();
+  if (found === undefined) return;
+  if (event.key !== "Escape") event.preventDefault();
+  found();
+}

@@ -1,0 +1,83 @@
+// The skills, by category: a press adds one behind what is selected, and it can be dragged to its place.
+import { useEffect, useState } from "react";
+import { kCategories, searchSkills, type Category } from "../../shared/skills/skill";
+import { useSession } from "../client";
+import { useDrag } from "../line/drag";
+import { Picture } from "../Picture";
+import { showSheet } from "../sheet";
+import { loadSkills } from "../skills";
+import { addSelectedSkill, whereToAdd } from "../step/actions";
+import { useOffered, type Offered } from "./offered";
+import { usePlace } from "../place";
+import { useApplication } from "../model";
+
+const kTitles: Readonly<Record<Category, string>> = { motion: "Motion", gripper: "Gripper", vision: "Camera", people: "People", flow: "Time and counting" };
+
+export function SkillLibrary() {
+  const skills = useOffered();
+  const documents = useSession((s) => s.documents);
+  const [query, setQuery] = useState("");
+  useEffect(() => void loadSkills(), [documents]);
+  const found = searchSkills(skills, query);
+  const groups = [...kCategories, undefined].map((category) => ({ category, skills: found.filter((skill) => skill.category === category) }));
+  return (
+    <aside className="skills" aria-label="Skills">
+      <header>
+        <h2>Skills</h2>
+        <button type="button" className="plain sheet-close" aria-label="Close the skills" onClick={() => showSheet(undefined)}>
+          ✕
+        </button>
+        <input type="search" aria-label="Search skills" placeholder="Search" value={query} onChange={(event) => setQuery(event.target.value)} />
+        <Where />
+      </header>
+      {skills.length === 0 && <p className="quiet">No document of this server has skills. Mark library states as skills in RACE Pro.</p>}
+      {skills.length > 0 && found.length === 0 && <p className="quiet">No skill is called so.</p>}
+      {groups.map(
+        (group) =>
+          group.skills.length > 0 && (
+            <section key={group.category ?? "other"} aria-label={group.category === undefined ? "Others" : kTitles[group.category]}>
+              <h3>{group.category === undefined ? "Others" : kTitles[group.category]}</h3>
+              <ul>
+                {group.skills.map((skill) => (
+                  <SkillCard key={`${skill.place.document ?? ""}/${skill.id}`} skill={skill} />
+                ))}
+              </ul>
+            </section>
+          ),
+      )}
+    </aside>
+  );
+}
+
+/** Where a press adds a skill. */
+function Where() {
+  const application = useApplication();
+  const [task, step] = [usePlace((place) => place.task), usePlace((place) => place.step)];
+  if (application === undefined) return null;
+  const where = whereToAdd(application, task, step);
+  return <p className="where">{where === undefined ? "The tasks here can only be read." : `Press a skill to add it ${where.text}.`}</p>;
+}
+
+function SkillCard({ skill }: { readonly skill: Offered }) {
+  const drag = useDrag({ kind: "skill", title: skill.title, place: skill.place });
+  const isHere = skill.missing === undefined;
+  return (
+    <li className={`skill is-${skill.category ?? "other"}`}>
+      <button
+        type="button"
+        aria-disabled={!isHere}
+        title={skill.doc}
+        data-skill={skill.name}
+        onPointerDown={isHere ? drag.fromCard : undefined}
+        onClick={() => isHere && !drag.wasDragged() && addSelectedSkill(skill.place)}
+      >
+        <Picture name={skill.icon} category={skill.category} />
+        <span>
+          <strong>{skill.title}</strong>
+          {skill.missing !== undefined && <small>{skill.missing}</small>}
+        </span>
+      </button>
+      {isHere && <i className="grip" aria-hidden="true" onPointerDown={drag.fromGrip} />}
+    </li>
+  );
+}

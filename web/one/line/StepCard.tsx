@@ -1,0 +1,65 @@
+// A step: its picture and name, its most important value, and what is done if it fails.
+import { fieldOf, valueText } from "../../shared/skills/form";
+import type { StepProblem } from "../../shared/timeline/problems";
+import type { Failure, Step, StepParameter } from "../../shared/timeline/timeLine";
+import { Picture } from "../Picture";
+import { usePlace } from "../place";
+import { select } from "../select";
+import { useDrag, useDragged } from "./drag";
+import { Line } from "./Line";
+
+interface Props {
+  readonly step: Step;
+  readonly problems: readonly StepProblem[];
+  readonly isEditable: boolean;
+}
+
+/** `3 ×`, or `for ever`. */
+export function timesText(times: StepParameter | undefined): string {
+  const value = times?.value.kind === "constant" ? times.value.value : undefined;
+  return typeof value !== "number" ? "" : value === 0 ? "for ever" : `${value} ×`;
+}
+
+export function failureText(failure: Failure, times: StepParameter | undefined): string {
+  const then = { stop: "stop", next: "go on", ask: "ask" } as const;
+  return failure.kind === "retry" ? `again ${timesText(times)}, then ${then[failure.then]}` : then[failure.kind];
+}
+
+/** What tells a step from others of its kind, best first. */
+const kTelling = ["pose", "labels", "label", "text", "texts", "choice"] as const;
+
+/** The value that says most; of a step that nobody has described, none but what it says or looks for. */
+function summaryOf({ parameters }: Step): string {
+  const shown = parameters.flatMap(({ about, value }) => (value.kind === "constant" && !about.internal && !about.advanced ? [{ about, value: value.value, kind: fieldOf(about, value.value).kind }] : []));
+  const telling = kTelling.map((kind) => shown.find((each) => each.kind === kind)).find((each) => each !== undefined);
+  const found = telling ?? shown.find(({ about }) => about.domain !== undefined);
+  return found === undefined ? "" : valueText(found.about, found.value);
+}
+
+export function StepCard({ step, problems, isEditable }: Props) {
+  const isSelected = usePlace((place) => place.step === step.id);
+  const drag = useDrag({ kind: "step", title: step.title, id: step.id });
+  const isDragged = useDragged((now) => now?.what.kind === "step" && now.what.id === step.id);
+  const problem = problems.find((each) => each.step === step.id);
+  const { about, title, disabled, failure, inner } = step;
+  const summary = inner === undefined ? summaryOf(step) : "";
+  const icon = step.kind === "loop" ? "repeat" : step.kind === "task" ? "task" : about.icon;
+  const looks = [`step is-${about.category ?? "other"}`, disabled && "is-off", isSelected && "is-selected", isDragged && "is-dragged", inner !== undefined && "is-group"].filter(Boolean).join(" ");
+  return (
+    <li className={looks} data-step={step.id}>
+      <div className="card">
+        <button type="button" className="card-open" aria-pressed={isSelected} onPointerDown={isEditable ? drag.fromCard : undefined} onClick={() => !drag.wasDragged() && select(step.id)}>
+          <Picture name={icon} category={about.category} />
+          <strong>{title}</strong>
+          {summary !== "" && <span className="summary">{summary}</span>}
+          {step.repeat !== undefined && <span className="summary">{timesText(step.repeat)}</span>}
+          {disabled && <span className="mark">off</span>}
+          {failure !== undefined && failure.kind !== "stop" && <span className="mark">if it fails: {failureText(failure, step.times)}</span>}
+          {problem !== undefined && <span className="mark is-problem">{problem.text}</span>}
+        </button>
+        {isEditable && <i className="grip" aria-hidden="true" onPointerDown={drag.fromGrip} />}
+      </div>
+      {inner !== undefined && <Line line={inner} problems={problems} />}
+    </li>
+  );
+}

@@ -1,0 +1,74 @@
+// Begins, holds and ends the run.
+import { refusalTo, doingOfCommand } from "../../shared/login/doings";
+import { allowed, kEffects, type Command } from "../../shared/run/controls";
+import { refusalOfCommand } from "../../shared/stop/refusals";
+import { useStop } from "../../stop/useStop";
+import { api, attempt, session, useCore, useLogin, useSession } from "../client";
+import { useEditing } from "../editing";
+import { useProblems } from "../model";
+import { go } from "../place";
+import { select } from "../select";
+
+export function RunButtons({ name }: { readonly name: string }) {
+  const core = useCore();
+  const lost = useSession((s) => s.connection !== "open");
+  const problems = useProblems();
+  const errors = useEditing((now) => now.session?.errors.length ?? 0);
+  const commands = allowed(core);
+  const isNew = core === undefined || commands.has("again");
+  const [problem] = problems;
+  const notReady = !isNew || (problem === undefined && errors === 0) ? undefined : (problem?.text ?? "it has errors");
+  const begin = async () => {
+    const made = await api.createCore(name, {});
+    session.dispatch({ type: "update", update: { type: "core", core: made } });
+    await api.start(made.id);
+  };
+  const run = (command: "start" | "pause" | "resume" | "stop") => void attempt(async () => core !== undefined && (await api[command](core.id)));
+  return (
+    <section className="run-buttons" aria-label="Start and stop">
+      {isNew && <RunButton command="again" name={core === undefined ? "Start" : "Start again"} isMain disabled={lost || notReady !== undefined} act={() => void attempt(begin)} />}
+      {commands.has("start") && <RunButton command="start" name="Start" isMain disabled={lost} act={() => run("start")} />}
+      {commands.has("resume") && <RunButton command="resume" name="Go on" isMain disabled={lost} act={() => run("resume")} />}
+      {commands.has("pause") && <RunButton command="pause" name="Pause" hint={kEffects.pause} disabled={lost} act={() => run("pause")} />}
+      {commands.has("stop") && <RunButton command="stop" name="End" hint={kEffects.stop} disabled={lost} act={() => run("stop")} />}
+      {notReady !== undefined && (
+        <p>
+          Not complete yet: {notReady}.{" "}
+          <button
+            type="button"
+            className="link"
+            onClick={() => {
+              go({ view: "build" });
+              if (problem !== undefined) select(problem.step);
+            }}
+          >
+            Show it
+          </button>
+        </p>
+      )}
+    </section>
+  );
+}
+
+interface ButtonProps {
+  readonly command: Command;
+  readonly name: string;
+  readonly hint?: string;
+  readonly isMain?: boolean;
+  readonly disabled: boolean;
+  readonly act: () => void;
+}
+
+function RunButton({ command, name, hint, isMain = false, disabled, act }: ButtonProps) {
+  const account = useLogin((login) => refusalTo(login.me, doingOfCommand[command]));
+  const stop = useStop((now) => refusalOfCommand(now, command));
+  const refusal = account ?? stop;
+  return (
+    <>
+      <button type="button" className={isMain ? "main" : ""} disabled={disabled || refusal !== undefined} title={refusal ?? hint} onClick={act}>
+        {name}
+      </button>
+      {refusal !== undefined && isMain && <p>Not now: {refusal}.</p>}
+    </>
+  );
+}

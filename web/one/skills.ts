@@ -1,0 +1,60 @@
+// The documents with skills: all that the server has, each loaded once for each of its revisions.
+import { createStore, useSelected } from "../page/store";
+import { readExact, type ExactJson } from "../shared/edit/exact";
+import { Refusal } from "../shared/edit/refusal";
+import { readTree } from "../shared/edit/tree";
+import type { JsonValue } from "../shared/json";
+import type { SkillDocument } from "../shared/skills/copy";
+import { skillsIn } from "../shared/skills/skill";
+import { api, session } from "./client";
+
+/** More documents are not looked through. */
+const kMost = 100;
+/** Where the skills of the demo are: they come first. */
+const kFirst = "skills";
+
+interface Loaded {
+  readonly revision: number;
+  /** Nothing: it has no skills. */
+  readonly document: SkillDocument | undefined;
+}
+
+const store = createStore<ReadonlyMap<string, Loaded>, ReadonlyMap<string, Loaded>>(new Map(), (_, next) => next);
+let listed: readonly SkillDocument[] = [];
+store.listen(() => {
+  listed = [...store.get().values()].flatMap(({ document }) => (document === undefined ? [] : [document])).sort((a, b) => Number(b.name === kFirst) - Number(a.name === kFirst));
+});
+
+export const skillDocuments = (): readonly SkillDocument[] => listed;
+export const useSkillDocuments = (): readonly SkillDocument[] => useSelected(store, skillDocuments);
+
+async function load(name: string): Promise<SkillDocument | undefined> {
+  const text = await api.documentText(name);
+  const { document: json } = JSON.parse(text) as { readonly document: JsonValue };
+  const tree = readTree(json);
+  if (tree instanceof Refusal || skillsIn(tree).length === 0) return undefined;
+  return { name, tree, exact: (readExact(text) as { readonly document: ExactJson }).document };
+}
+
+let loading = false;
+let asked = false;
+
+/** Loads what is new or has changed, one after the other. */
+export async function loadSkills(): Promise<void> {
+  asked = true;
+  if (loading) return;
+  loading = true;
+  while (asked) {
+    asked = false;
+    const wanted = [...session.get().documents].sort((a, b) => Number(b.name === kFirst) - Number(a.name === kFirst)).slice(0, kMost);
+    const kept = new Map([...store.get()].filter(([name]) => wanted.some((each) => each.name === name)));
+    if (kept.size !== store.get().size) store.dispatch(kept);
+    for (const { name, revision } of wanted) {
+      if (store.get().get(name)?.revision === revision) continue;
+      // One that cannot be read has no skills.
+      const document = await load(name).catch(() => undefined);
+      store.dispatch(new Map([...store.get(), [name, { revision, document }]]));
+    }
+  }
+  loading = false;
+}

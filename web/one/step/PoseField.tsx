@@ -1,0 +1,73 @@
+// The name of a taught pose, and how the arm stands there.
+import { lazy, Suspense, useState } from "react";
+import type { ExactJson } from "../../shared/edit/exact";
+import { useControls } from "../../control/page";
+import { reasonAgainstPose } from "../../shared/skills/form";
+import { useSession } from "../client";
+import { usePoses } from "./known";
+
+/** With the 3D view, which is large. */
+const PosePreview = lazy(() => import("./PosePreview").then(({ PosePreview: shown }) => ({ default: shown })));
+
+interface Props {
+  readonly id: string;
+  readonly label: string;
+  readonly disabled: boolean;
+  readonly value: string | undefined;
+  readonly set: (value: ExactJson) => void;
+}
+
+/** Of the list: another name is typed. */
+const kOther = "";
+
+export function PoseField({ id, label, disabled, value, set }: Props) {
+  const { names, isWhole } = usePoses();
+  const [typed, setTyped] = useState<string>();
+  const [shows, setShows] = useState(false);
+  const hasCell = useSession((s) => s.cell);
+  const isHeld = useControls((state) => state.kind === "held");
+  const reason = typed === undefined || typed === "" ? undefined : reasonAgainstPose(typed);
+  const choose = (name: string) => {
+    setTyped(name === kOther ? "" : undefined);
+    if (name !== kOther) set(name);
+  };
+  const take = () => {
+    if (typed !== undefined && reasonAgainstPose(typed) === undefined) {
+      set(typed);
+      setTyped(undefined);
+    }
+  };
+  return (
+    <div className="pose">
+      <select id={id} disabled={disabled} value={typed !== undefined ? kOther : (value ?? "-")} onChange={(event) => choose(event.target.value)}>
+        {value === undefined && <option value="-">Choose…</option>}
+        {[...new Set([...(value === undefined ? [] : [value]), ...names])].map((name) => (
+          <option key={name} value={name}>
+            {name}
+          </option>
+        ))}
+        <option value={kOther}>Another…</option>
+      </select>
+      {typed !== undefined && (
+        <span className="add-text">
+          <input aria-label={`${label}: name of the pose`} autoFocus placeholder="Its name" maxLength={32} value={typed} onChange={(event) => setTyped(event.target.value)} onKeyDown={(event) => event.key === "Enter" && take()} />
+          <button type="button" disabled={reasonAgainstPose(typed) !== undefined} onClick={take}>
+            Use it
+          </button>
+        </span>
+      )}
+      {reason !== undefined && <p className="problem">A pose is called by {reason}</p>}
+      {value !== undefined && hasCell && (
+        <button type="button" aria-expanded={shows} disabled={!isHeld} onClick={() => setShows(!shows)}>
+          {shows ? "Hide the arm" : "Show the arm there"}
+        </button>
+      )}
+      {!isHeld && <p className="doc">Who has the controls of the cell sees {isWhole ? "the arm there" : "all poses that were taught, and the arm there"}.</p>}
+      {shows && isHeld && value !== undefined && (
+        <Suspense fallback={<p className="doc">Loading the view…</p>}>
+          <PosePreview key={value} name={value} />
+        </Suspense>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,49 @@
+// The cell in 3D with the arm as it stands in a taught pose; what is real does not move.
+import { useEffect, useRef, useState } from "react";
+import { CellScene } from "../../cell/CellScene";
+import { listenToTheme } from "../../pro/theme/theme";
+import { createHand } from "../../shared/cell/hand";
+import { messageOf } from "../../shared/messageOf";
+import { access, api } from "../client";
+import { jointsOf } from "./known";
+
+/** Nothing is pulled here. */
+const kNoHand = createHand({ name: "preview", send: () => Promise.reject(new Error("this is a picture")), wait: () => Promise.resolve(), onRefused: () => undefined });
+
+async function fill(scene: CellScene, name: string): Promise<void> {
+  const [{ bodies, robots }, joints] = await Promise.all([api.cell(), jointsOf(name)]);
+  const models = await Promise.all(robots.map(async (robot) => ({ ...robot, text: await (await access.fetch(api.cellFile(robot.urdf))).text() })));
+  scene.fill(bodies, models);
+  const [robot] = models;
+  const names = robot === undefined ? [] : armJoints(robot.text);
+  const places = Object.fromEntries(bodies.filter(({ fixed }) => !fixed).map((body) => [body.name, body.pose]));
+  scene.move({ time: 0, joints: Object.fromEntries(joints.flatMap((angle, i) => (names[i] === undefined ? [] : [[names[i], angle]]))), bodies: places });
+}
+
+/** The turning joints of an arm, from its base on, as its URDF lists them. */
+function armJoints(urdf: string): readonly string[] {
+  const document = new DOMParser().parseFromString(urdf, "application/xml");
+  return [...document.querySelectorAll("joint[type=revolute], joint[type=continuous]")].flatMap((joint) => joint.getAttribute("name") ?? []);
+}
+
+export function PosePreview({ name }: { readonly name: string }) {
+  const frame = useRef<HTMLDivElement>(null);
+  const [problem, setProblem] = useState<string>();
+  useEffect(() => {
+    if (frame.current === null) return;
+    const scene = new CellScene(frame.current, kNoHand);
+    scene.grabbing.isPast = true;
+    const ended = listenToTheme(() => scene.paint());
+    fill(scene, name).catch((error: unknown) => setProblem(messageOf(error)));
+    return () => {
+      ended();
+      scene.dispose();
+    };
+  }, [name]);
+  return (
+    <figure className="preview">
+      <div ref={frame} className="preview-frame" />
+      <figcaption>{problem === undefined ? `The arm at “${name}”. It does not move.` : `It cannot be shown: ${problem}`}</figcaption>
+    </figure>
+  );
+}
