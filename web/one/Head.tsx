@@ -9,7 +9,7 @@ export function Head() {
   const edit = usePlace((place) => place.edit);
   const view = usePlace((place) => place.view);
   const tree = useTree();
-  const title = tree === undefined ? edit : applicationTitle(tree);
+  const title = tree === undefined ? edit : (applicationTitle(tree) ?? edit);
   return (
     <header className="head">
       <a
@@ -49,7 +49,7 @@ function UndoButtons() {
   const depths = useEditing((now) => now.session?.depths);
   return (
     <span className="undo" role="group" aria-label="Changes">
-      <button type="button" className="plain" aria-label="Undo" title="Undo (Ctrl+Z)" aria-keyshortcuts="Control+Z" disabled={(depths?.undo ?? 0) === 0} onClick={() => takeBack("undo")}>
+      <button type="button" className="plain" aria-label="Undo" title="Undo (Ctrl+Z)" aria-keyshortcuts="Control+Z" disabled={depths?.undo === 0} onClick={() => takeBack("undo")}>
         ↶
       </button>
       <button type="button" className="plain" aria-label="Redo" title="Redo (Ctrl+Y)" aria-keyshortcuts="Control+Y" disabled={(depths?.redo ?? 0) === 0} onClick={() => takeBack("redo")}>

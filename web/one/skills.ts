@@ -5,6 +5,7 @@ import { Refusal } from "../shared/edit/refusal";
 import { readTree } from "../shared/edit/tree";
 import type { JsonValue } from "../shared/json";
 import type { SkillDocument } from "../shared/skills/copy";
+import { namedIn, type Named } from "../shared/skills/named";
 import { skillsIn } from "../shared/skills/skill";
 import { api, session } from "./client";
 
@@ -17,23 +18,32 @@ interface Loaded {
   readonly revision: number;
   /** Nothing: it has no skills. */
   readonly document: SkillDocument | undefined;
+  readonly named: Named;
 }
+
+const kNothing: Named = { poses: [], labels: [] };
 
 const store = createStore<ReadonlyMap<string, Loaded>, ReadonlyMap<string, Loaded>>(new Map(), (_, next) => next);
 let listed: readonly SkillDocument[] = [];
+let named: readonly Named[] = [];
 store.listen(() => {
+  named = [...store.get().values()].map((each) => each.named);
   listed = [...store.get().values()].flatMap(({ document }) => (document === undefined ? [] : [document])).sort((a, b) => Number(b.name === kFirst) - Number(a.name === kFirst));
 });
 
 export const skillDocuments = (): readonly SkillDocument[] => listed;
 export const useSkillDocuments = (): readonly SkillDocument[] => useSelected(store, skillDocuments);
 
-async function load(name: string): Promise<SkillDocument | undefined> {
+/** What all documents name. */
+export const useNamedElsewhere = (): readonly Named[] => useSelected(store, () => named);
+
+async function load(name: string): Promise<Omit<Loaded, "revision">> {
   const text = await api.documentText(name);
   const { document: json } = JSON.parse(text) as { readonly document: JsonValue };
   const tree = readTree(json);
-  if (tree instanceof Refusal || skillsIn(tree).length === 0) return undefined;
-  return { name, tree, exact: (readExact(text) as { readonly document: ExactJson }).document };
+  if (tree instanceof Refusal) return { document: undefined, named: kNothing };
+  const document = skillsIn(tree).length === 0 ? undefined : { name, tree, exact: (readExact(text) as { readonly document: ExactJson }).document };
+  return { document, named: namedIn(tree) };
 }
 
 let loading = false;
@@ -51,9 +61,9 @@ export async function loadSkills(): Promise<void> {
     if (kept.size !== store.get().size) store.dispatch(kept);
     for (const { name, revision } of wanted) {
       if (store.get().get(name)?.revision === revision) continue;
-      // One that cannot be read has no skills.
-      const document = await load(name).catch(() => undefined);
-      store.dispatch(new Map([...store.get(), [name, { revision, document }]]));
+      // One that cannot be read has nothing.
+      const loaded = await load(name).catch(() => ({ document: undefined, named: kNothing }));
+      store.dispatch(new Map([...store.get(), [name, { revision, ...loaded }]]));
     }
   }
   loading = false;

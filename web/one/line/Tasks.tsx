@@ -104,7 +104,7 @@ function DragGhost() {
   const drag = useDragged((now) => now);
   if (drag === undefined) return null;
   return (
-    <div className={`ghost${drag.over === undefined ? " is-nowhere" : ""}`} style={{ translate: `${drag.x + 14}px ${drag.y + 10}px` }}>
+    <div className={`ghost${drag.over === undefined ? " is-nowhere" : ""}`} style={{ translate: `min(${drag.x + 14}px, 100vw - 190px) ${drag.y + 10}px` }}>
       {drag.what.title}
     </div>
   );

@@ -33,7 +33,9 @@ function QuestionHere({ question }: { readonly question: Question }) {
   const may = useDisplay(canAnswer);
   return (
     <div className="question" role="group" aria-label="Question">
-      <h2 role="alert">{question.text}</h2>
+      <div role="alert">
+        <h2>{question.text}</h2>
+      </div>
       {"number" in question ? (
         <NumberHere id={question.id} entry={question.number} may={may} />
       ) : (

@@ -6,7 +6,7 @@ import { isBadOutcome } from "../../shared/run/controls";
 import { watchedCore, type Session } from "../../shared/session/session";
 import { failedIn, type Failed } from "../../shared/timeline/progress";
 import type { Application } from "../../shared/timeline/read";
-import { api, session, useCore } from "../client";
+import { api, session, useCore, useSession } from "../client";
 import { everyStep } from "../model";
 
 /** So many macro steps back the reason of an end is looked for. */
@@ -49,8 +49,9 @@ export function useFailure(application: Application | undefined): Failure | unde
   }, [steps]);
   const ended = core?.status === "ended" && isBadOutcome(core.outcome) ? core.id : undefined;
   const known = failure !== undefined && failure.run === ended;
+  const model = useSession((s) => s.model);
   useEffect(() => {
-    if (ended === undefined || known) return undefined;
+    if (ended === undefined || known || model === undefined) return undefined;
     let current = true;
     const find = async () => {
       const now = session.get();
@@ -66,6 +67,6 @@ export function useFailure(application: Application | undefined): Failure | unde
     return () => {
       current = false;
     };
-  }, [ended, known, steps]);
+  }, [ended, known, steps, model]);
   return failure !== undefined && failure.run === core?.id ? failure : undefined;
 }

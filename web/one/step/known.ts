@@ -1,42 +1,27 @@
 // What fields can offer: poses that were taught and labels that the camera knows, as far as this page can find out.
 import { useEffect, useMemo, useState } from "react";
 import { controls, useControls } from "../../control/page";
-import { elementOf, type Tree } from "../../shared/edit/tree";
-import { entryOf, type JsonValue } from "../../shared/json";
-import { declaredIn } from "../../shared/skills/declared";
-import { parameterOf } from "../../shared/skills/skill";
-import { api, useSession } from "../client";
+import type { JsonValue } from "../../shared/json";
+import { namedIn, type Named } from "../../shared/skills/named";
 import { useTree } from "../editing";
-import { useSkillDocuments } from "../skills";
+import { useNamedElsewhere } from "../skills";
 
 const kKey = "pose_";
-const kLabels: ReadonlySet<string> = new Set(["label", "labels"]);
 
-const textsIn = (value: JsonValue | undefined): readonly string[] => (typeof value === "string" ? [value] : Array.isArray(value) ? value.filter((item) => typeof item === "string") : []);
-
-/** The texts that parameters of a domain have anywhere in a document. */
-function valuesOf(tree: Tree, isWanted: (domain: string | undefined, name: string) => boolean): readonly string[] {
-  return [...tree.elements.keys()].flatMap((id) => {
-    if (elementOf(tree, id).kind !== "state") return [];
-    return declaredIn(tree, id, "parameters").flatMap((declared) => (isWanted(parameterOf(declared).domain, declared.name) ? textsIn(entryOf(declared.fields, "value")) : []));
-  });
-}
-
-function useValues(isWanted: (domain: string | undefined, name: string) => boolean): readonly string[] {
-  const tree = useTree();
-  const documents = useSkillDocuments();
-  return useMemo(() => [tree, ...documents.map((document) => document.tree)].flatMap((each) => (each === undefined ? [] : valuesOf(each, isWanted))), [tree, documents, isWanted]);
-}
-
-const isPose = (domain: string | undefined): boolean => domain === "pose";
-/** Models of before skills call them so. */
-const isLabel = (domain: string | undefined, name: string): boolean => (domain !== undefined && kLabels.has(domain)) || name === "labels" || name === "label";
+const textsIn = (value: JsonValue | undefined): readonly string[] => (Array.isArray(value) ? value.filter((item) => typeof item === "string") : []);
 
 const sorted = (texts: readonly string[]): readonly string[] => [...new Set(texts)].filter((text) => text !== "").sort((a, b) => a.localeCompare(b));
 
+/** What this document names, and all others. */
+function useNamed(what: keyof Named): readonly string[] {
+  const tree = useTree();
+  const others = useNamedElsewhere();
+  return useMemo(() => [...(tree === undefined ? [] : namedIn(tree)[what]), ...others.flatMap((each) => each[what])], [tree, others, what]);
+}
+
 /** Names of poses: those in documents and, for who has the controls of the cell, those in the database. `isWhole`: all that are taught. */
 export function usePoses(): { readonly names: readonly string[]; readonly isWhole: boolean } {
-  const named = useValues(isPose);
+  const named = useNamed("poses");
   const isHeld = useControls((state) => state.kind === "held");
   const [taught, setTaught] = useState<readonly string[]>();
   useEffect(() => {
@@ -61,13 +46,8 @@ export async function jointsOf(name: string): Promise<readonly number[]> {
   return joints.filter((joint: JsonValue) => typeof joint === "number");
 }
 
-/** What the camera may know: labels in documents, and the movable parts of the cell. */
+/** What the camera may know: the labels in all documents, as the service does not tell. */
 export function useLabels(): readonly string[] {
-  const named = useValues(isLabel);
-  const hasCell = useSession((s) => s.cell);
-  const [parts, setParts] = useState<readonly string[]>([]);
-  useEffect(() => {
-    if (hasCell) api.cell().then(({ bodies }) => setParts(bodies.filter(({ fixed }) => !fixed).map(({ name }) => name)), () => undefined);
-  }, [hasCell]);
-  return useMemo(() => sorted([...named, ...parts]), [named, parts]);
+  const named = useNamed("labels");
+  return useMemo(() => sorted(named), [named]);
 }

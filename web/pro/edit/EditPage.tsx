@@ -131,6 +131,9 @@ function EditHead({ document, listed, onList }: HeadProps) {
           Redo
         </button>
         <HistoryButton />
+        <a className="link" href={`/one/?edit=${encodeURIComponent(document)}`} title="As tasks and skills, in RACE One">
+          One
+        </a>
         <button type="button" onClick={() => runAction(actionOf("close"))}>
           Close
         </button>

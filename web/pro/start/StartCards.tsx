@@ -35,6 +35,7 @@ export function StartCards() {
       <ul className="start-ways" aria-label="Other ways to begin">
         <Way title="Take the tour" text="Build a first task in six steps, and see it run." button={`Start the tour`} hint={refusal ?? `Help: ${keysOf("guide")}`} disabled={offline || refusal !== undefined} act={startTour} />
         <Way title="Build a task" text="An empty document in the editor; states come from the left." button="New task" {...(refusal !== undefined && { hint: refusal })} disabled={offline || refusal !== undefined} act={newTask} />
+        <Way title="Build with skills" text="RACE One: tasks as rows of skills, without programming." button="Open RACE One" disabled={false} act={() => location.assign("/one/")} />
         <Way title="Pair a phone" text="A phone as the display of a task: it shows questions and takes answers." button="Show the code" disabled={false} act={() => askPairing(true)} />
       </ul>
     </section>

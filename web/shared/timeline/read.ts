@@ -158,9 +158,5 @@ export function readApplication(tree: Tree): Application {
   return { root, tasks: [{ ...anyStep(tree, tree.root, "task"), inner: root }], isEditable: false };
 }
 
-/** What `title` a document says its root has; else its own name. */
-export function applicationTitle(tree: Tree): string {
-  const title = textOf(entryOf(metaOf(tree, tree.root), "title"));
-  const name = textOf(entryOf(tree.fields, "name"));
-  return title ?? name ?? nameOfElement(tree, tree.root);
-}
+/** What people call the application, if they have said so. */
+export const applicationTitle = (tree: Tree): string | undefined => textOf(entryOf(metaOf(tree, tree.root), "title"));

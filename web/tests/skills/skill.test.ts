@@ -8,9 +8,10 @@ import { nameOfElement } from "../../shared/edit/commands/command";
 import type { JsonValue } from "../../shared/json";
 import { missingServices, servicesOf, serviceText } from "../../shared/skills/closure";
 import { copyState, type Copied } from "../../shared/skills/copy";
+import { namedIn } from "../../shared/skills/named";
 import { searchSkills, skillOf, skillsIn, supportOf } from "../../shared/skills/skill";
 import { treeOf } from "../edit/documents";
-import { emptyApp, emptyJson, skills, stateNamed } from "./fixture";
+import { emptyApp, emptyJson, skills, skillsJson, stateNamed } from "./fixture";
 
 const { tree } = skills;
 const state = (name: string) => stateNamed(tree, name);
@@ -112,6 +113,11 @@ test("another state of the name gets company under a new name, which its links k
   expect(names(next)).toEqual(["GetPose", "GetPose2", "MoveTo"]);
   expect(JSON.stringify(documentOf(next))).toContain('"link":"GetPose2"');
   expect(copyState(next, skills, state("MoveTo"), () => "more")).toEqual({ operations: [], link: "MoveTo" });
+});
+
+test("the poses and labels that a document names are told", () => {
+  const json = { ...(skillsJson as object), root: { state: "R", meta: { id: "r" }, children: [{ state: "A", link: "MoveTo", meta: { id: "a" }, parameters: [{ name: "pose", value: "home", meta: { id: "ap" } }] }, { state: "B", meta: { id: "b" }, parameters: [{ name: "labels", value: ["Tape"], meta: { id: "bl" } }, { name: "pose", value: "none", meta: { id: "bp" } }] }] } } as unknown as JsonValue;
+  expect(namedIn(treeOf(json))).toEqual({ poses: ["home"], labels: ["Tape", "Cube", "Box"] });
 });
 
 test("a service of the same key and another type is in the way", () => {

@@ -1,0 +1,367 @@
+// RACE-One: applications of skills, built by mouse, touch and keys, run, and edited together with the expert page. On the real server.
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { devices, type Locator, type Page } from "playwright-core";
+import { findings } from "./axe";
+import { dragTo } from "./hands";
+import { openFixture, project, settled, type Fixture } from "./fixture";
+
+interface StateJson {
+  readonly state: string;
+  readonly link?: string;
+  readonly first?: string;
+  readonly doc?: string;
+  readonly parameters?: readonly { readonly name: string; readonly value?: unknown; readonly from?: string }[];
+  readonly children?: readonly StateJson[];
+  readonly ports?: readonly { readonly name: string; readonly to?: string; readonly when?: string }[];
+  readonly meta?: Readonly<Record<string, unknown>>;
+}
+interface Stored {
+  readonly document: { readonly root: StateJson; readonly library?: readonly StateJson[] };
+}
+
+let fixture: Fixture;
+let page: Page;
+
+/** The skills of the unit tests, under names that no document of the demo has. */
+function testSkills(): unknown {
+  const text = readFileSync(join(project, "web/tests/skills/skills.rcm.json"), "utf8");
+  const names = [...text.matchAll(/^ {6}"state": "(\w+)"/gm)].map(([, name]) => name ?? "");
+  const renamed = names.reduce((all, name) => all.replaceAll(`"state": "${name}"`, `"state": "T_${name}"`).replaceAll(`"link": "${name}"`, `"link": "T_${name}"`), text);
+  return JSON.parse(renamed) as unknown;
+}
+
+beforeAll(async () => {
+  fixture = await openFixture();
+  ({ page } = fixture);
+  page.setDefaultTimeout(20_000);
+  await page.setViewportSize({ width: 1366, height: 768 });
+  await page.emulateMedia({ reducedMotion: "reduce", colorScheme: "light" });
+  await fixture.send("PUT", "/documents/test-skills", testSkills());
+});
+afterAll(() => fixture.close());
+
+const kSoon = { timeout: 30_000 };
+const stored = async (name: string) => ((await fixture.send("GET", `/documents/${name}`)) as Stored).document;
+const skill = (name: string, of = page) => of.locator(`[data-skill="T_${name}"]`);
+const task = (title: string, of = page) => of.getByRole("region", { name: `Task ${title}` });
+const card = (title: string, of = page) => of.locator(".step > .card > .card-open", { has: of.locator("strong", { hasText: new RegExp(`^${title}$`) }) });
+const titles = (within: Locator) => within.locator(".step > .card strong").allInnerTexts();
+const panel = (of = page) => of.getByRole("complementary", { name: "What is selected" });
+const saved = (of = page) => of.getByRole("status", { name: "Connection" }).filter({ hasText: "Saved" }).waitFor();
+const status = (of = page) => of.getByRole("status", { name: "Run status" });
+
+async function middle(part: Locator): Promise<{ readonly x: number; readonly y: number }> {
+  const box = await part.boundingBox();
+  if (box === null) throw new Error("it is not on the screen");
+  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+}
+
+/** What can be pressed and is smaller than a finger needs. */
+const small = (of: Page) =>
+  of.evaluate(() =>
+    [...document.querySelectorAll<HTMLElement>(".one :is(button, a, select, summary, input:not([type=checkbox], [type=radio]), textarea, label.radio, label.chip, label.toggle)")]
+      .filter((each) => each.checkVisibility() && each.closest(".control-bar, .stopped-banner") === null)
+      .flatMap((each) => {
+        const { width, height } = each.getBoundingClientRect();
+        return height >= 43.5 && width >= 43.5 ? [] : [`${each.outerHTML.slice(0, 90)}: ${Math.round(width)} x ${Math.round(height)}`];
+      }),
+  );
+
+/** What is wrong with the view in both themes: by axe-core, by its size, and by what it hides at the side. */
+async function faults(of: Page): Promise<readonly string[]> {
+  const found: string[] = [...(await small(of))];
+  for (const colorScheme of ["light", "dark"] as const) {
+    await of.emulateMedia({ colorScheme, reducedMotion: "reduce" });
+    found.push(...(await findings(of)).map((finding) => `${colorScheme}: ${finding}`));
+  }
+  await of.emulateMedia({ colorScheme: "light", reducedMotion: "reduce" });
+  const overflow = await of.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+  return overflow > 0 ? [...found, `${overflow} px beside the window`] : found;
+}
+
+describe("an application of skills", () => {
+  it("begins with its name and a first task", async () => {
+    await page.goto(`${fixture.url}/one/`);
+    await page.getByRole("link", { name: /demonstrator/ }).waitFor();
+    expect(await faults(page)).toEqual([]);
+    await fixture.screenshot("one-start");
+    await page.getByLabel("A new application").fill("sort parts");
+    await page.getByRole("button", { name: "Begin" }).click();
+    await page.getByRole("heading", { name: "Begin with a task" }).waitFor();
+    await expect.poll(() => new URL(page.url()).searchParams.get("edit")).toBe("sort-parts");
+    expect(await faults(page)).toEqual([]);
+    await page.getByLabel("Name of the task").fill("Pause a bit");
+    await page.getByRole("button", { name: "Add the task" }).click();
+    await task("Pause a bit").waitFor();
+  });
+
+  it("gets skills by a press and by a drag, in the order in which they are dropped", async () => {
+    await skill("Wait").click();
+    await card("Wait").waitFor();
+    await skill("Say").click();
+    await card("Show a text").waitFor();
+    const first = await card("Wait").boundingBox();
+    if (first === null) throw new Error("there is no card");
+    await dragTo(page, await middle(skill("AskYesNo")), { x: first.x + 20, y: first.y + 60 });
+    expect(await page.locator(".drop-here").count()).toBe(1);
+    await page.mouse.up();
+    await expect.poll(() => titles(task("Pause a bit"))).toEqual(["Ask yes or no", "Wait", "Show a text"]);
+    const last = await card("Show a text").boundingBox();
+    if (last === null) throw new Error("there is no card");
+    await dragTo(page, await middle(card("Ask yes or no")), { x: last.x + last.width - 10, y: last.y + 60 });
+    await page.mouse.up();
+    await expect.poll(() => titles(task("Pause a bit"))).toEqual(["Wait", "Show a text", "Ask yes or no"]);
+    await saved();
+    const { root, library = [] } = await stored("sort-parts");
+    expect(root.children?.[0]).toMatchObject({ state: "PauseABit", first: "T_Wait" });
+    expect(root.children?.[0]?.children?.map(({ state, ports = [] }) => [state, ports.find(({ to }) => to !== undefined)?.to])).toEqual([["T_Wait", "T_Say"], ["T_Say", "T_AskYesNo"], ["T_AskYesNo", undefined]]);
+    expect(library.map(({ state }) => state)).toEqual(["T_Wait", "T_Say", "T_AskYesNo"]);
+  });
+
+  it("says what is missing until it is set, and takes what is typed as it was typed", async () => {
+    await card("Wait").click();
+    await panel().getByLabel("For", { exact: true }).fill("0,5");
+    await panel().getByLabel("For", { exact: true }).press("Enter");
+    await saved();
+    expect((await stored("sort-parts")).root.children?.[0]?.children?.[0]?.parameters).toMatchObject([{ name: "seconds", value: 0.5 }]);
+    await card("Ask yes or no").click();
+    await skill("MoveTo").click();
+    await page.getByRole("button", { name: "1 thing is missing: show it" }).click();
+    await panel().getByText('"Place" is not set').waitFor();
+    await panel().getByLabel("Place", { exact: true }).selectOption({ label: "Another…" });
+    await panel().getByLabel("Place: name of the pose").fill("nowhere");
+    await panel().getByRole("button", { name: "Use it" }).click();
+    await page.getByRole("button", { name: "Ready: go to Run" }).waitFor();
+    await fixture.screenshot("one-build");
+    expect(await faults(page)).toEqual([]);
+  });
+
+  it("is done again: undo, redo, duplicate, off, repeat and back, each as one change", async () => {
+    const steps = () => titles(task("Pause a bit"));
+    await page.getByRole("button", { name: "Undo" }).click();
+    await page.getByRole("button", { name: "1 thing is missing: show it" }).waitFor();
+    await page.getByRole("button", { name: "Redo" }).click();
+    await page.getByRole("button", { name: "Ready: go to Run" }).waitFor();
+    const before = await steps();
+    await saved();
+    await card("Wait").click();
+    await panel().getByRole("button", { name: "Duplicate" }).click();
+    await expect.poll(steps).toHaveLength(before.length + 1);
+    await page.getByRole("button", { name: "Undo" }).click();
+    await expect.poll(steps).toEqual(before);
+    await card("Wait").click();
+    await panel().getByRole("button", { name: "Turn off" }).click();
+    await card("Wait").getByText("off").waitFor();
+    await panel().getByRole("button", { name: "Turn on" }).click();
+    await panel().getByLabel("Repeat from here to").selectOption({ label: "Show a text" });
+    await panel().getByRole("button", { name: "Repeat", exact: true }).click();
+    await card("Repeat").getByText("3 ×").waitFor();
+    await panel().getByRole("textbox", { name: "Times" }).fill("2");
+    await panel().getByRole("textbox", { name: "Times" }).press("Enter");
+    await card("Repeat").getByText("2 ×").waitFor();
+    await fixture.screenshot("one-loop");
+    expect(await faults(page)).toEqual([]);
+    await panel().getByRole("button", { name: "Do not repeat" }).click();
+    await expect.poll(steps).toEqual(before);
+  });
+
+  it("is built by keys alone, too", async () => {
+    const steps = () => titles(task("Pause a bit"));
+    await card("Wait").focus();
+    await page.keyboard.press("Enter");
+    await page.keyboard.press("Alt+ArrowRight");
+    await expect.poll(async () => (await steps()).slice(0, 2)).toEqual(["Show a text", "Wait"]);
+    await expect.poll(() => page.evaluate(() => document.activeElement?.textContent)).toContain("Wait");
+    await page.keyboard.press("Alt+ArrowLeft");
+    await expect.poll(async () => (await steps()).slice(0, 2)).toEqual(["Wait", "Show a text"]);
+    await page.getByLabel("Search skills").focus();
+    await page.keyboard.insertText("show a text");
+    await skill("Say").focus();
+    await page.keyboard.press("Enter");
+    await expect.poll(async () => (await steps()).slice(0, 3)).toEqual(["Wait", "Show a text", "Show a text"]);
+    await expect.poll(() => page.evaluate(() => document.activeElement?.closest("[data-step]") !== null)).toBe(true);
+    await page.keyboard.press("Delete");
+    await expect.poll(async () => (await steps()).slice(0, 3)).toEqual(["Wait", "Show a text", "Ask yes or no"]);
+    await page.keyboard.press("Control+z");
+    await expect.poll(async () => (await steps()).filter((title) => title === "Show a text")).toHaveLength(2);
+    await page.keyboard.press("Control+y");
+    await expect.poll(async () => (await steps()).filter((title) => title === "Show a text")).toHaveLength(1);
+    await page.getByLabel("Search skills").fill("");
+  });
+});
+
+describe("the run of an application", () => {
+  it("says what happens, asks its questions here, and says what went wrong and what to do", async () => {
+    await page.getByRole("button", { name: "Run", exact: true }).click();
+    expect(new URL(page.url()).hash).toBe("#run");
+    expect(await faults(page)).toEqual([]);
+    await page.getByRole("button", { name: "Start", exact: true }).click();
+    await page.getByRole("heading", { name: "Ask yes or no" }).waitFor();
+    await page.getByText("Next: Move to").waitFor();
+    await page.getByRole("group", { name: "Question" }).getByRole("heading", { name: "Go on?" }).waitFor();
+    await fixture.screenshot("one-run-question");
+    expect(await faults(page)).toEqual([]);
+    await page.getByRole("button", { name: "Yes", exact: true }).click();
+    await page.getByRole("heading", { name: "Move to: The place is not known" }).waitFor();
+    await page.getByText("Show the place to the arm again.").waitFor();
+    expect(await status().innerText()).toBe("Stopped by an error");
+    await fixture.screenshot("one-run-failed");
+    expect(await faults(page)).toEqual([]);
+  });
+
+  it("finds what went wrong in a run that is over, after the page is loaded again", async () => {
+    await page.reload();
+    await page.getByRole("heading", { name: "Move to: The place is not known" }).waitFor();
+    expect(await page.getByText("Failed", { exact: true }).locator("..").innerText()).toContain("1");
+  });
+
+  it("asks a person if a step fails, once that is chosen, and is done when it is skipped", async () => {
+    await page.getByRole("button", { name: "Build", exact: true }).click();
+    await card("Move to").click();
+    await panel().getByRole("radio", { name: "Try again" }).check();
+    await panel().getByRole("textbox", { name: "Times" }).fill("1");
+    await panel().getByRole("textbox", { name: "Times" }).press("Enter");
+    await panel().getByLabel("If it fails still").selectOption({ label: "ask a person" });
+    await card("Move to").getByText("if it fails: again 1 ×, then ask").waitFor();
+    await fixture.screenshot("one-failure");
+    await saved();
+    const children = (await stored("sort-parts")).root.children?.[0]?.children ?? [];
+    expect(children.slice(-2).map(({ state }) => state)).toEqual(["T_MoveTo_retry", "T_MoveTo_ask"]);
+    await page.getByRole("button", { name: "Run", exact: true }).click();
+    await page.getByRole("button", { name: "Start again" }).click();
+    await page.getByRole("button", { name: "Yes", exact: true }).click();
+    await page.getByRole("button", { name: "Skip" }).click();
+    await page.getByRole("heading", { name: "All done" }).waitFor();
+    await expect.poll(() => page.getByText("Done", { exact: true }).locator("..").last().innerText(), kSoon).toContain("1");
+    await page.getByText("Cycle time").waitFor();
+    await fixture.screenshot("one-run-done");
+  });
+
+  it("is held, goes on and ends by its buttons, and STOP is there", async () => {
+    await page.getByRole("button", { name: "Start again" }).click();
+    await page.getByRole("heading", { name: "Go on?" }).waitFor();
+    await page.getByRole("button", { name: "Pause", exact: true }).click();
+    await expect.poll(() => status().innerText()).toBe("Paused");
+    await page.getByRole("button", { name: "Go on", exact: true }).click();
+    await expect.poll(() => status().innerText()).toBe("Running");
+    await page.getByRole("button", { name: "End", exact: true }).click();
+    await page.getByRole("heading", { name: "It was stopped" }).waitFor();
+    await page.keyboard.press("F3");
+    const stopped = page.getByRole("region", { name: "The cell is stopped" });
+    await stopped.waitFor();
+    await page.getByText("Not now: the cell is stopped.").waitFor();
+    await fixture.screenshot("one-stopped");
+    await fixture.send("POST", "/stop/reset");
+    await stopped.waitFor({ state: "detached" });
+  });
+});
+
+describe("the demonstrator", () => {
+  it("is two tasks to look at (thesis, Fig. A.3), and the menu of SearchObject changes its labels", async () => {
+    await page.goto(`${fixture.url}/one/?edit=demonstrator`);
+    await task("Calibration").waitFor();
+    expect(await titles(task("Table").locator("> ol"))).toEqual(["Take out", "Aside", "Place area", "Say", "Search object", "Work"]);
+    expect(await page.getByRole("button", { name: /Add a (task|skill)/ }).count()).toBe(0);
+    await card("Search object").first().click();
+    await expect.poll(() => new URL(page.url()).searchParams.get("step")).not.toBeNull();
+    await panel().getByRole("checkbox", { name: "Box", exact: true }).uncheck();
+    await panel().getByRole("checkbox", { name: "Bar", exact: true }).uncheck();
+    await saved();
+    await fixture.screenshot("one-demonstrator");
+    expect(await faults(page)).toEqual([]);
+    const labels = (await stored("demonstrator")).root.children?.find(({ state }) => state === "Table")?.parameters?.find(({ name }) => name === "labels");
+    expect(labels?.value).toEqual(["Cube", "Block", "Tape"]);
+  });
+
+  it("uses them in its next run, which is seen in the same tasks", async () => {
+    const { id } = (await fixture.send("POST", "/cores", { document: "demonstrator", arguments: { begin: "Table" } })) as { readonly id: string };
+    await page.getByRole("button", { name: "Run", exact: true }).click();
+    await fixture.send("POST", `/cores/${id}/start`);
+    await expect.poll(() => status().innerText()).toBe("Running");
+    await page.getByText("Table", { exact: true }).waitFor();
+    const state = (await fixture.send("GET", `/cores/${id}/state`)) as { readonly state: { readonly parameters: Readonly<Record<string, Readonly<Record<string, unknown>>>> } };
+    expect(state.state.parameters["Demonstrator/Table"]?.["labels"]).toEqual(["Cube", "Block", "Tape"]);
+    await fixture.send("POST", `/cores/${id}/stop`);
+    await page.getByRole("heading", { name: "It was stopped" }).waitFor();
+  });
+
+  it("leads to the expert page and back", async () => {
+    await page.getByRole("link", { name: "Open in Pro" }).click();
+    await settled(page);
+    expect(new URL(page.url()).searchParams.get("edit")).toBe("demonstrator");
+    await page.getByRole("link", { name: "One", exact: true }).click();
+    await task("Table").waitFor();
+  });
+});
+
+describe("both pages at once", () => {
+  it("shows at once on each what is changed on the other", async () => {
+    const pro = await fixture.openPage({ width: 1366, height: 900 });
+    await pro.goto(`${fixture.url}/pro/?edit=sort-parts`);
+    await settled(pro);
+    await page.goto(`${fixture.url}/one/?edit=sort-parts`);
+    await card("Wait").click();
+    const state = (name: string) => pro.locator(`#edit-canvas [data-path$="PauseABit/${name}"]`);
+    await page.getByRole("button", { name: "+ Add a skill" }).click();
+    await skill("Wait").click();
+    await expect.poll(async () => (await stored("sort-parts")).root.children?.[0]?.children?.some((each) => each.state === "T_Wait2"), kSoon).toBe(true);
+    await state("T_Wait2").waitFor();
+    await state("T_Wait2").click({ position: { x: 20, y: 8 } });
+    const form = pro.getByRole("complementary", { name: "Properties" });
+    const description = form.getByLabel("Description", { exact: true }).first();
+    await description.fill("Waits once more.");
+    await description.press("Tab");
+    await card("Wait").last().click();
+    await panel().getByText("Waits once more.").waitFor();
+    await fixture.screenshot("one-with-pro", pro);
+  });
+});
+
+describe("on a phone and a tablet", () => {
+  it("shows the tasks as a column, and the skills and settings over them", async () => {
+    const context = await fixture.openContext({ ...devices["Pixel 7"], reducedMotion: "reduce" });
+    const phone = await context.newPage();
+    await phone.goto(`${fixture.url}/one/?edit=sort-parts`);
+    await card("Wait", phone).first().waitFor();
+    expect(await faults(phone)).toEqual([]);
+    await fixture.screenshot("one-phone", phone);
+    await card("Show a text", phone).tap();
+    await panel(phone).getByRole("textbox", { name: "Text" }).waitFor();
+    expect(await faults(phone)).toEqual([]);
+    await fixture.screenshot("one-phone-panel", phone);
+    await panel(phone).getByRole("button", { name: "Close the settings" }).tap();
+    await phone.getByRole("button", { name: "+ Add a skill" }).tap();
+    await skill("Say", phone).waitFor();
+    await fixture.screenshot("one-phone-skills", phone);
+    await skill("Say", phone).tap();
+    await expect.poll(() => titles(task("Pause a bit", phone))).toContain("Show a text");
+    await panel(phone).getByRole("button", { name: "Close the settings" }).tap();
+    const fingers = await context.newCDPSession(phone);
+    const touch = (type: "touchStart" | "touchMove" | "touchEnd", ...touchPoints: readonly { readonly x: number; readonly y: number }[]) => fingers.send("Input.dispatchTouchEvent", { type, touchPoints: [...touchPoints] });
+    await card("Wait", phone).first().scrollIntoViewIfNeeded();
+    const before = await titles(task("Pause a bit", phone));
+    const from = await middle(phone.locator(".step .grip").first());
+    const to = await middle(card("Show a text", phone).first());
+    await touch("touchStart", from);
+    for (let i = 1; i <= 8; i++) await touch("touchMove", { x: from.x, y: from.y + ((to.y + 20 - from.y) * i) / 8 });
+    await touch("touchEnd");
+    await expect.poll(async () => (await titles(task("Pause a bit", phone))).slice(0, 2)).toEqual([before[1], before[0]]);
+    await phone.goto(`${fixture.url}/one/?edit=sort-parts#run`);
+    await phone.getByRole("button", { name: /^Start/ }).waitFor();
+    expect(await faults(phone)).toEqual([]);
+    await fixture.screenshot("one-phone-run", phone);
+    await context.close();
+  });
+
+  it("fits a tablet", async () => {
+    const context = await fixture.openContext({ viewport: { width: 820, height: 1180 }, hasTouch: true, reducedMotion: "reduce" });
+    const tablet = await context.newPage();
+    await tablet.goto(`${fixture.url}/one/?edit=sort-parts`);
+    await card("Wait", tablet).first().tap();
+    await panel(tablet).getByLabel("For", { exact: true }).waitFor();
+    expect(await faults(tablet)).toEqual([]);
+    await fixture.screenshot("one-tablet", tablet);
+    await context.close();
+  });
+});
