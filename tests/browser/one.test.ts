@@ -1,10 +1,11 @@
 // RACE-One: applications of skills, built by mouse, touch and keys, run, and edited together with the expert page. On the real server.
+import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { devices, type Locator, type Page } from "playwright-core";
 import { findings } from "./axe";
 import { dragTo } from "./hands";
-import { openFixture, project, settled, type Fixture } from "./fixture";
+import { binary, openFixture, openPrepared, project, settled, type Fixture } from "./fixture";
 
 interface StateJson {
   readonly state: string;
@@ -28,7 +29,9 @@ function testSkills(): unknown {
   const text = readFileSync(join(project, "web/tests/skills/skills.rcm.json"), "utf8");
   const names = [...text.matchAll(/^ {6}"state": "(\w+)"/gm)].map(([, name]) => name ?? "");
   const renamed = names.reduce((all, name) => all.replaceAll(`"state": "${name}"`, `"state": "T_${name}"`).replaceAll(`"link": "${name}"`, `"link": "T_${name}"`), text);
-  return JSON.parse(renamed) as unknown;
+  const document = JSON.parse(renamed) as { readonly library: readonly unknown[] };
+  const cut = { state: "T_Cut", doc: "Cuts.", entry: "svc.laser.cut()", ports: [{ name: "success", when: "svc.laser.cut.result" }], meta: { skill: true, title: "Cut", category: "flow" } };
+  return { ...document, library: [...document.library, cut] };
 }
 
 beforeAll(async () => {
@@ -41,6 +44,7 @@ beforeAll(async () => {
 });
 afterAll(() => fixture.close());
 
+const kPassword = "correct horse battery";
 const kSoon = { timeout: 30_000 };
 const stored = async (name: string) => ((await fixture.send("GET", `/documents/${name}`)) as Stored).document;
 const skill = (name: string, of = page) => of.locator(`[data-skill="T_${name}"]`);
@@ -135,6 +139,17 @@ describe("an application of skills", () => {
     await page.getByRole("button", { name: "Ready: go to Run" }).waitFor();
     await fixture.screenshot("one-build");
     expect(await faults(page)).toEqual([]);
+  });
+
+  it("does not take a skill whose service is not there, and says which that is", async () => {
+    await skill("Cut").getByText("Not here: the service laser").waitFor();
+    expect(await skill("Cut").getAttribute("aria-disabled")).toBe("true");
+    const before = await titles(task("Pause a bit"));
+    await skill("Cut").click({ force: true });
+    await page.getByLabel("Search skills").fill("laser");
+    await page.getByText("No skill is called so.").waitFor();
+    await page.getByLabel("Search skills").fill("");
+    expect(await titles(task("Pause a bit"))).toEqual(before);
   });
 
   it("is done again: undo, redo, duplicate, off, repeat and back, each as one change", async () => {
@@ -257,6 +272,29 @@ describe("the run of an application", () => {
   });
 });
 
+describe("a taught pose", () => {
+  it("is offered to who has had the controls, who sees the arm there", async () => {
+    const joints = [0.4, -0.35, 0, 1.6, 0, -1.19, 0];
+    const pose = JSON.stringify({ pose: { position: [0.5, 0.2, 0.3], orientation: [1, 0, 0, 0] }, q: joints });
+    await fixture.send("PUT", "/documents/teach", { rcm: 1, services: { db: "database" }, root: { state: "Teach", entry: `svc.db.add('pose_left', ${pose})`, ports: [{ name: "success", when: "svc.db.add.result" }] } });
+    const { id } = (await fixture.send("POST", "/cores", { document: "teach" })) as { readonly id: string };
+    await fixture.send("POST", `/cores/${id}/start`);
+    await page.goto(`${fixture.url}/one/?edit=sort-parts`);
+    await card("Move to").click();
+    expect(await panel().getByRole("button", { name: "Show the arm there" }).isDisabled()).toBe(true);
+    await page.getByRole("button", { name: "Take the controls" }).click();
+    await panel().getByLabel("Place", { exact: true }).selectOption({ label: "left" });
+    await card("Move to").getByText("left").waitFor();
+    await panel().getByRole("button", { name: "Show the arm there" }).click();
+    await panel().getByText("The arm at “left”. It does not move.").waitFor();
+    await panel().locator("canvas").waitFor();
+    await panel().locator("canvas").scrollIntoViewIfNeeded();
+    // It is drawn without a graphics card here, for which a page may lose the controls.
+    await page.waitForTimeout(1000);
+    await fixture.screenshot("one-pose");
+  });
+});
+
 describe("the demonstrator", () => {
   it("is two tasks to look at (thesis, Fig. A.3), and the menu of SearchObject changes its labels", async () => {
     await page.goto(`${fixture.url}/one/?edit=demonstrator`);
@@ -363,5 +401,29 @@ describe("on a phone and a tablet", () => {
     expect(await faults(tablet)).toEqual([]);
     await fixture.screenshot("one-tablet", tablet);
     await context.close();
+  });
+});
+
+describe("a server with accounts", () => {
+  it("asks for a login, and says what an observer may not do", async () => {
+    const others = await openPrepared((data) => {
+      for (const [name, role] of [["ada", "admin"], ["olga", "observer"]] as const) execFileSync(binary, ["account", "add", name, "--role", role, "--data", data], { input: `${kPassword}\n` });
+    });
+    try {
+      others.allowError(/401/);
+      const one = others.page;
+      one.setDefaultTimeout(20_000);
+      await one.goto(`${others.url}/one/?edit=pick`);
+      await one.getByLabel("Name", { exact: true }).fill("olga");
+      await one.getByLabel("Password", { exact: true }).fill(kPassword);
+      await one.getByRole("button", { name: "Log in" }).click();
+      await card("Approach", one).click();
+      await panel(one).getByText(/^You can look at it:/).waitFor();
+      await one.getByRole("button", { name: "Run", exact: true }).click();
+      expect(await one.getByRole("button", { name: "Start", exact: true }).isDisabled()).toBe(true);
+      await others.screenshot("one-observer");
+    } finally {
+      await others.close();
+    }
   });
 });

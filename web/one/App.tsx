@@ -17,6 +17,12 @@ export function App() {
   return <Page />;
 }
 
+/** Before it is known who uses the page. */
+export function FirstLogin() {
+  const asked = useLogin((login) => login.asked);
+  return asked ? <Login logIn={logIn} /> : null;
+}
+
 function useRefused(doing: Doing): string | undefined {
   const account = useLogin((login) => refusalTo(login.me, doing));
   const lost = useSession((s) => s.connection !== "open");
@@ -30,7 +36,7 @@ function Page() {
     <div className={`one${lost ? " is-lost" : ""}`}>
       <Head />
       <StoppedBanner refusal={useRefused("reset_stop")} fetcher={access.fetch} />
-      <ControlBar always={false} address={ownControls} refusal={useRefused("take_controls")} refusalToAnswer={useRefused("answer_control")} fetcher={access.fetch} />
+      <ControlBar always address={ownControls} refusal={useRefused("take_controls")} refusalToAnswer={useRefused("answer_control")} fetcher={access.fetch} />
       {lost && (
         <p className="notice is-bad" role="alert">
           The server is not there. The page tries again; what you change now is sent when it is back.

@@ -3,7 +3,7 @@ import { useEffect, useState } from "react";
 import { SkillLibrary } from "./library/SkillLibrary";
 import { useEditing } from "./editing";
 import { handleKey } from "./keys";
-import { useApplication, useSelected } from "./model";
+import { everyStep, useApplication, useSelected } from "./model";
 import { StepPanel } from "./step/StepPanel";
 import { TaskPanel } from "./step/TaskPanel";
 import { Tasks } from "./line/Tasks";
@@ -21,13 +21,14 @@ export function Build({ name }: { readonly name: string }) {
   }, []);
   // On a small screen the panel lies over the tasks: who opens it is led into it.
   useEffect(() => {
-    if (sheet === "panel" && panel !== null && getComputedStyle(panel).position === "fixed") panel.focus();
+    if (sheet === "panel" && panel !== null && getComputedStyle(panel).position === "absolute") panel.focus();
   }, [sheet, panel]);
   if (unreadable !== undefined) return <main className="build-empty"><h2>{name} cannot be opened</h2><p>{unreadable.message}</p></main>;
   if (application === undefined) return <main className="build-empty"><p role="status">Opening {name}…</p></main>;
+  const canAdd = application.isEditable || everyStep(application).some(({ inner }) => inner?.form === "editable");
   return (
-    <div className="build" data-sheet={sheet ?? "none"}>
-      <SkillLibrary />
+    <div className={canAdd ? "build" : "build is-read"} data-sheet={sheet ?? "none"}>
+      {canAdd && <SkillLibrary />}
       <Tasks application={application} />
       <aside className="panel" aria-label="What is selected" tabIndex={-1} ref={setPanel}>
         <button type="button" className="plain sheet-close" aria-label="Close the settings" onClick={() => showSheet(undefined)}>

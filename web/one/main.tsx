@@ -8,7 +8,7 @@ import "./one.css";
 import { createRoot } from "react-dom/client";
 import { followControls } from "../control/page";
 import { showStop } from "../stop/show";
-import { App } from "./App";
+import { App, FirstLogin } from "./App";
 import { access, connect } from "./client";
 import { followAddress } from "./place";
 
@@ -17,6 +17,7 @@ followControls();
 const element = document.getElementById("root");
 if (element === null) throw new Error("the page has no #root");
 const root = createRoot(element);
+root.render(<FirstLogin />);
 void access.known().then(() => {
   connect();
   followAddress();

@@ -26,7 +26,7 @@ export function failureText(failure: Failure, times: StepParameter | undefined):
 }
 
 /** What tells a step from others of its kind, best first. */
-const kTelling = ["pose", "labels", "label", "text", "texts", "choice"] as const;
+const kTelling = ["pose", "labels", "label", "texts", "text", "choice"] as const;
 
 /** The value that says most; of a step that nobody has described, none but what it says or looks for. */
 function summaryOf({ parameters }: Step): string {

@@ -45,6 +45,7 @@ export function NumberInput({ id, label, disabled, field, value, set }: Props) {
         />
       )}
       <span className="number-entry">
+        {field.kind === "number" && field.whole && <StepButton sign={-1} label={label} disabled={disabled} field={field} number={number} set={set} />}
         <input
           id={id}
           inputMode={field.whole ? "numeric" : "decimal"}
@@ -59,7 +60,8 @@ export function NumberInput({ id, label, disabled, field, value, set }: Props) {
             if (event.key === "Escape") setDraft(undefined);
           }}
         />
-        <span>{field.unit}</span>
+        {field.kind === "number" && field.whole && <StepButton sign={1} label={label} disabled={disabled} field={field} number={number} set={set} />}
+        {field.unit !== "" && <span>{field.unit}</span>}
         {field.words !== undefined && Number.isFinite(number) && text !== "" && <b>{wordFor(field.words, number)}</b>}
       </span>
       {problem !== undefined && (
@@ -68,5 +70,25 @@ export function NumberInput({ id, label, disabled, field, value, set }: Props) {
         </p>
       )}
     </div>
+  );
+}
+
+interface StepProps {
+  readonly sign: 1 | -1;
+  readonly label: string;
+  readonly disabled: boolean;
+  readonly field: NumberField;
+  /** What there is now. */
+  readonly number: number;
+  readonly set: (value: ExactJson) => void;
+}
+
+/** One more, or one less. */
+function StepButton({ sign, label, disabled, field, number, set }: StepProps) {
+  const next = readNumber(field, String(number + sign * field.step));
+  return (
+    <button type="button" aria-label={`${label}: one ${sign === 1 ? "more" : "less"}`} disabled={disabled || "problem" in next} onClick={() => "value" in next && set(next.value)}>
+      {sign === 1 ? "+" : "−"}
+    </button>
   );
 }

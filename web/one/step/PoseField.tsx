@@ -1,7 +1,6 @@
 // The name of a taught pose, and how the arm stands there.
 import { lazy, Suspense, useState } from "react";
 import type { ExactJson } from "../../shared/edit/exact";
-import { useControls } from "../../control/page";
 import { reasonAgainstPose } from "../../shared/skills/form";
 import { useSession } from "../client";
 import { usePoses } from "./known";
@@ -21,11 +20,11 @@ interface Props {
 const kOther = "";
 
 export function PoseField({ id, label, disabled, value, set }: Props) {
-  const { names, isWhole } = usePoses();
+  const { names, joints } = usePoses();
+  const known = value === undefined ? undefined : joints?.get(value);
   const [typed, setTyped] = useState<string>();
   const [shows, setShows] = useState(false);
   const hasCell = useSession((s) => s.cell);
-  const isHeld = useControls((state) => state.kind === "held");
   const reason = typed === undefined || typed === "" ? undefined : reasonAgainstPose(typed);
   const choose = (name: string) => {
     setTyped(name === kOther ? "" : undefined);
@@ -58,14 +57,15 @@ export function PoseField({ id, label, disabled, value, set }: Props) {
       )}
       {reason !== undefined && <p className="problem">A pose is called by {reason}</p>}
       {value !== undefined && hasCell && (
-        <button type="button" aria-expanded={shows} disabled={!isHeld} onClick={() => setShows(!shows)}>
+        <button type="button" aria-expanded={shows} disabled={known === undefined || known.length === 0} onClick={() => setShows(!shows)}>
           {shows ? "Hide the arm" : "Show the arm there"}
         </button>
       )}
-      {!isHeld && <p className="doc">Who has the controls of the cell sees {isWhole ? "the arm there" : "all poses that were taught, and the arm there"}.</p>}
-      {shows && isHeld && value !== undefined && (
+      {joints === undefined && <p className="doc">Take the controls of the cell to see all poses that were taught, and the arm there.</p>}
+      {joints !== undefined && value !== undefined && known === undefined && <p className="problem">Nobody has taught this pose yet.</p>}
+      {shows && known !== undefined && value !== undefined && (
         <Suspense fallback={<p className="doc">Loading the view…</p>}>
-          <PosePreview key={value} name={value} />
+          <PosePreview key={value} name={value} joints={known} />
         </Suspense>
       )}
     </div>

@@ -5,13 +5,12 @@ import { listenToTheme } from "../../pro/theme/theme";
 import { createHand } from "../../shared/cell/hand";
 import { messageOf } from "../../shared/messageOf";
 import { access, api } from "../client";
-import { jointsOf } from "./known";
 
 /** Nothing is pulled here. */
 const kNoHand = createHand({ name: "preview", send: () => Promise.reject(new Error("this is a picture")), wait: () => Promise.resolve(), onRefused: () => undefined });
 
-async function fill(scene: CellScene, name: string): Promise<void> {
-  const [{ bodies, robots }, joints] = await Promise.all([api.cell(), jointsOf(name)]);
+async function fill(scene: CellScene, joints: readonly number[]): Promise<void> {
+  const { bodies, robots } = await api.cell();
   const models = await Promise.all(robots.map(async (robot) => ({ ...robot, text: await (await access.fetch(api.cellFile(robot.urdf))).text() })));
   scene.fill(bodies, models);
   const [robot] = models;
@@ -26,7 +25,13 @@ function armJoints(urdf: string): readonly string[] {
   return [...document.querySelectorAll("joint[type=revolute], joint[type=continuous]")].flatMap((joint) => joint.getAttribute("name") ?? []);
 }
 
-export function PosePreview({ name }: { readonly name: string }) {
+interface Props {
+  readonly name: string;
+  /** [rad] */
+  readonly joints: readonly number[];
+}
+
+export function PosePreview({ name, joints }: Props) {
   const frame = useRef<HTMLDivElement>(null);
   const [problem, setProblem] = useState<string>();
   useEffect(() => {
@@ -34,12 +39,12 @@ export function PosePreview({ name }: { readonly name: string }) {
     const scene = new CellScene(frame.current, kNoHand);
     scene.grabbing.isPast = true;
     const ended = listenToTheme(() => scene.paint());
-    fill(scene, name).catch((error: unknown) => setProblem(messageOf(error)));
+    fill(scene, joints).catch((error: unknown) => setProblem(messageOf(error)));
     return () => {
       ended();
       scene.dispose();
     };
-  }, [name]);
+  }, [joints]);
   return (
     <figure className="preview">
       <div ref={frame} className="preview-frame" />

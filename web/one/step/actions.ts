@@ -42,7 +42,7 @@ function added(id: string | undefined): void {
 export function addSelectedSkill(skill: SkillPlace): void {
   const tree = treeNow();
   const where = tree === undefined ? undefined : whereToAdd(readApplication(tree), place().task, place().step);
-  if (where === undefined) tell("Not done: add a task first.");
+  if (where === undefined) tell(tree !== undefined && !readApplication(tree).isEditable ? "Not done: the tasks of this application can only be changed in RACE Pro." : "Not done: add a task first.");
   else dropSkill(skill, where);
 }
 

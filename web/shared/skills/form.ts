@@ -34,7 +34,7 @@ export type Field =
   | { readonly kind: "colour" }
   | { readonly kind: "text" }
   | { readonly kind: "toggle" }
-  /** To be read; RACE-Pro changes it. */
+  /** To be read; RACE Pro changes it. */
   | { readonly kind: "other" };
 
 /** What a domain means where the parameter says nothing more. */
@@ -42,8 +42,9 @@ const kRanges: Readonly<Record<string, { readonly min: number; readonly max?: nu
   speed: { min: 0.05, max: 1, step: 0.05 }, force: { min: 5, max: 80, step: 1 }, distance: { min: 0, max: 1, step: 0.01 }, duration: { min: 0, step: 0.5 }, count: { min: 0, step: 1 },
 };
 
-/** Finer steps than so many are no slider: they cannot be hit. */
+/** Finer steps than so many are no slider, as they cannot be hit; counts are exact, so they are one only if they are few. */
 const kMostSteps = 2000;
+const kMostCounts = 20;
 
 interface Shown {
   readonly factor: number;
@@ -63,7 +64,7 @@ function numberField({ type, unit, domain, min, max, step }: SkillParameter): Nu
   const whole = type === "int" || (domain === "count" && type !== "number");
   const [low, high] = [min ?? range?.min, max ?? range?.max];
   const by = step ?? range?.step ?? (whole ? 1 : 0.01);
-  const isSlider = low !== undefined && high !== undefined && (high - low) / by <= kMostSteps;
+  const isSlider = low !== undefined && high !== undefined && (high - low) / by <= (whole ? kMostCounts : kMostSteps);
   const words = domain === "force" || domain === "speed" ? domain : undefined;
   return { kind: isSlider ? "slider" : "number", min: low, max: high, step: by, whole, ...shownAs(domain, unit, high), words };
 }

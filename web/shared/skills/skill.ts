@@ -81,7 +81,7 @@ function choicesOf(value: JsonValue | undefined): readonly SkillChoice[] {
 
 export function parameterOf({ name, fields, meta }: Declared): SkillParameter {
   return {
-    name, title: titleOf(meta, name), doc: textOf(entryOf(fields, "doc")), type: entryOf(fields, "type"), unit: textOf(entryOf(fields, "unit")), domain: textOf(entryOf(meta, "domain")),
+    name, title: titleOf(meta, name), doc: plainText(textOf(entryOf(fields, "doc"))), type: entryOf(fields, "type"), unit: textOf(entryOf(fields, "unit")), domain: textOf(entryOf(meta, "domain")),
     min: numberOf(entryOf(meta, "min")), max: numberOf(entryOf(meta, "max")), step: numberOf(entryOf(meta, "step")), choices: choicesOf(entryOf(meta, "choices")),
     advanced: isMarked(meta, "advanced"), internal: isMarked(meta, "internal"),
   };
@@ -113,11 +113,14 @@ export function skillOf(tree: Tree, id: string): Skill {
   };
 }
 
+/** Without the marks of code, which mean nothing to people. */
+const plainText = (text: string | undefined): string | undefined => text?.replaceAll("`", "");
+
 function docOf(tree: Tree, id: string): string | undefined {
   const { fields } = elementOf(tree, id);
   const link = entryOf(fields, "link");
   const linked = tree.library.find((each) => nameOfElement(tree, each) === link);
-  return textOf(entryOf(fields, "doc")) ?? (linked === undefined ? undefined : textOf(entryOf(elementOf(tree, linked).fields, "doc")));
+  return plainText(textOf(entryOf(fields, "doc")) ?? (linked === undefined ? undefined : textOf(entryOf(elementOf(tree, linked).fields, "doc"))));
 }
 
 export const isSkill = (tree: Tree, id: string): boolean => isMarked(metaOf(tree, id), "skill");

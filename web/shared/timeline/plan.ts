@@ -69,16 +69,16 @@ export function termsOf(tree: Tree, composite: string, port: string): ReadonlySe
 function roleOf(tree: Tree, id: string): StepKind | "retry" | "ask" | NoPlan {
   const { kind, fields } = elementOf(tree, id);
   const name = nameOfElement(tree, id);
-  if (kind !== "state") return { reason: `it goes on at several places at once, from \`${name}\`` };
+  if (kind !== "state") return { reason: `it goes on at several places at once, from “${name}”` };
   if (entryOf(fields, "link") === undefined) {
     const own = reasonAgainstComposite(tree, id);
     return own === undefined ? (isLoop(tree, id) ? "loop" : "task") : { reason: own };
   }
   const linked = linkedState(tree, id);
-  if (linked === undefined) return { reason: `what \`${name}\` links is not in the document` };
+  if (linked === undefined) return { reason: `what “${name}” links is not in the document` };
   const support = supportOf(tree, linked);
   if (support === "retry" || support === "ask") return support;
-  return isSkill(tree, linked) ? "skill" : { reason: `\`${name}\` is no skill` };
+  return isSkill(tree, linked) ? "skill" : { reason: `“${name}” is no skill` };
 }
 
 const kOwn = { entry: "does something when it begins", exit: "does something when it ends", oracle: "begins where an oracle says", keep: "keeps what it knows" } as const;
@@ -87,8 +87,8 @@ const kOwn = { entry: "does something when it begins", exit: "does something whe
 export function reasonAgainstComposite(tree: Tree, id: string): string | undefined {
   const { fields } = elementOf(tree, id);
   const name = nameOfElement(tree, id);
-  for (const [field, text] of Object.entries(kOwn)) if (entryOf(fields, field) !== undefined) return `\`${name}\` ${text}`;
-  if (listOf(tree, id, "actions").length > 0) return `\`${name}\` does something of its own meanwhile`;
+  for (const [field, text] of Object.entries(kOwn)) if (entryOf(fields, field) !== undefined) return `“${name}” ${text}`;
+  if (listOf(tree, id, "actions").length > 0) return `“${name}” does something of its own meanwhile`;
   return undefined;
 }
 

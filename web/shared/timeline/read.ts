@@ -18,7 +18,7 @@ export function readPlan(tree: Tree, composite: string): Plan | NoPlan {
   if ("reason" in plan) return plan;
   const ports = listOf(tree, composite, "ports").map((id) => nameOfElement(tree, id));
   const another = ports.find((port) => port !== "success" && port !== "error");
-  if (another !== undefined) return { reason: `it can also end at \`${another}\`` };
+  if (another !== undefined) return { reason: `it can also end at “${another}”` };
   if (listOf(tree, composite, "children").length === 0) return plan; // the first change writes its ports
   const changes = [...settleTask(tree, composite, plan.steps, plan.intents, kNoId), ...settleSources(tree, plan.steps, plan.intents, false, kNoId)];
   const isMark = (change: (typeof changes)[number]) => change.op === "set" && change.field === "meta";

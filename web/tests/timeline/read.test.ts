@@ -136,7 +136,7 @@ test("the demonstrator is two tasks to be read (thesis, Fig. A.3)", () => {
   expect(tasks.map(({ title, inner }) => [title, inner?.form])).toEqual([["Calibration", "rich"], ["Table", "rich"]]);
   expect(tasks[1]?.inner?.steps.map(({ title }) => title)).toEqual(["Take out", "Aside", "Place area", "Say", "Search object", "Work"]);
   expect(tasks[1]?.inner?.again).toBe(tasks[1]?.inner?.steps[1]?.id);
-  expect(reasonOf(removeStep(demonstrator, tasks[1]?.inner?.steps[4]?.id ?? "", supplies))).toContain("only be changed in RACE-Pro");
+  expect(reasonOf(removeStep(demonstrator, tasks[1]?.inner?.steps[4]?.id ?? "", supplies))).toContain("only be changed in RACE Pro");
 });
 
 test("a constant is followed to where it stands, and set there", () => {
@@ -150,7 +150,7 @@ test("a constant is followed to where it stands, and set there", () => {
   expect(readApplication(tree).tasks[1]?.parameters.find(({ about }) => about.name === "labels")?.value).toMatchObject({ value: ["Tape"] });
   const own = after(demonstrator, setValue(demonstrator, search?.id ?? "", "timeout", readExact("7.0"), supplies)).tree;
   expect(readApplication(own).tasks[1]?.inner?.steps[4]?.parameters.find(({ about }) => about.name === "timeout")?.value).toMatchObject({ kind: "constant", state: search?.id, value: 7 });
-  expect(reasonOf(setValue(demonstrator, search?.id ?? "", "but", [], supplies))).toBe("it is computed: only RACE-Pro can change it");
+  expect(reasonOf(setValue(demonstrator, search?.id ?? "", "but", [], supplies))).toBe("it is computed: only RACE Pro can change it");
 });
 
 test("a root whose children are no tasks is the one task; what has no flow is a list", () => {
@@ -180,7 +180,7 @@ test.each<[string, (tree: Tree, task: string, steps: readonly string[]) => Opera
   expect(lineOf(applied.tree, task).form).toBe("rich");
 });
 
-test("a step that gets another name in RACE-Pro stays a step", () => {
+test("a step that gets another name in RACE Pro stays a step", () => {
   const { tree, task, steps: [move] } = appOf("MoveTo", "Say");
   const failing = after(tree, setFailure(tree, move ?? "", { kind: "retry", then: "ask" }, supplies)).tree;
   const renamed = apply(failing, {

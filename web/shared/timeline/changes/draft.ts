@@ -49,7 +49,7 @@ export class Draft {
     if (known !== undefined) return known;
     if (!this.tree.elements.has(task)) throw new Impossible("it is not there any more");
     const plan = readPlan(this.tree, task);
-    if ("reason" in plan) throw new Impossible(`this task can only be changed in RACE-Pro: ${plan.reason}`);
+    if ("reason" in plan) throw new Impossible(`this task can only be changed in RACE Pro: ${plan.reason}`);
     this.plans.set(task, plan);
     return plan;
   }

@@ -54,7 +54,7 @@ export const unloop = (tree: Tree, loop: string, supplies: Supplies): Command =>
     const plan = draft.plan(task);
     const { index, intent } = stepIn(plan, loop);
     const parts = readLoop(tree, loop);
-    if ("reason" in parts) throw new Impossible(`this can only be changed in RACE-Pro: ${parts.reason}`);
+    if ("reason" in parts) throw new Impossible(`this can only be changed in RACE Pro: ${parts.reason}`);
     const body = draft.plan(parts.body);
     let steps: readonly PlannedStep[] = plan.steps;
     for (const [i, step] of body.steps.entries()) {

@@ -14,7 +14,7 @@ export const setValue = (tree: Tree, state: string, name: string, value: ExactJs
   command(tree, supplies, (draft) => {
     draft.parentOf(state);
     const now = valueOf(tree, state, name);
-    if (now.kind === "computed") throw new Impossible("it is computed: only RACE-Pro can change it");
+    if (now.kind === "computed") throw new Impossible("it is computed: only RACE Pro can change it");
     const owner = now.kind === "taken" ? state : now.state;
     const own = listOf(tree, owner, "parameters").find((id) => elementOf(tree, id).fields["name"] === nameAt(now, name));
     if (own === undefined) {
