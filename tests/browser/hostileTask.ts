@@ -68,6 +68,27 @@ export const hostileDraft = {
 /** A draft of which the page can say only what is wrong with it. */
 export const unreadableDraft = { rcm: 1, root: { state: "Root", variables: payloads.map((text, i) => ({ name: `v${i}`, type: { record: { [text]: text } } })) } };
 
+/** Skills with such texts for people, and a task that has each of them as a step, with such texts as values. */
+export const hostileSkills = {
+  rcm: 1,
+  library: payloads.map((text, i) => ({
+    state: `S${i}`, doc: text, results: [{ name: "r", meta: { title: text, domain: text } }],
+    parameters: [
+      { name: "t", value: text, type: "string", doc: text, unit: text, meta: { title: text, domain: "text" } },
+      { name: "c", value: text, doc: text, meta: { title: text, choices: [{ value: text, title: text }] } },
+      { name: "p", value: text, meta: { title: text, domain: "pose" } },
+      { name: "l", value: [text], meta: { title: text, domain: "labels" } },
+      { name: "n", value: 1, unit: text, type: "number", meta: { title: text } },
+    ],
+    ports: [{ name: "success", when: "False", meta: { title: text } }, { name: "other", when: "False", meta: { title: text } }, { name: "error", when: "False", meta: { title: text, advice: text } }],
+    meta: { skill: true, title: text, icon: text, category: "flow" },
+  })),
+  root: {
+    state: "Root", first: "Task", meta: { title: payloads[0] },
+    children: [{ state: "Task", doc: all(payloads), first: "S0", children: payloads.map((text, i) => ({ state: `S${i}`, link: `S${i}`, meta: { title: text }, ports: [{ name: "success", ...(i + 1 < payloads.length && { to: `S${i + 1}` }) }] })), meta: { title: payloads[1] } }],
+  },
+};
+
 /** A task of this description. */
 export const describedTask = (doc: string) => ({ rcm: 1, root: { state: "Root", doc } });
 

@@ -4,7 +4,7 @@ import type { BrowserContext, Page } from "playwright-core";
 import { openBrowser } from "./chromium";
 import { write } from "./editPage";
 import { binary, openFixture, openPrepared, settled, textOf, type Fixture } from "./fixture";
-import { callingTask, describedTask, faultingTask, groups, hostileDraft, hostileTask, literal, unreadableDraft } from "./hostileTask";
+import { callingTask, describedTask, faultingTask, groups, hostileDraft, hostileSkills, hostileTask, literal, unreadableDraft } from "./hostileTask";
 import { NodeSocket } from "./nodeSocket";
 import { kClobbered, payloads, payloadsByClass } from "./scriptPayloads";
 import { shownOf, watchScripts, type ScriptWatch } from "./scriptWatch";
@@ -385,6 +385,34 @@ describe("a run of such a task", () => {
   });
 });
 
+describe("RACE-One", () => {
+  it("shows skills, tasks, values, outcomes and a run whose texts are such", async () => {
+    await send("PUT", "/documents/skills-of-others", hostileSkills);
+    await page.goto(`${fixture.url}/one/`);
+    await page.getByRole("link", { name: /^described0/ }).waitFor();
+    await expect.poll(() => seen(), kSoon).toBeGreaterThan(kNearlyAll);
+    await page.getByRole("link", { name: /^described0/ }).click();
+    await expect.poll(() => page.locator("[data-skill]").count(), kSoon).toBeGreaterThan(kNearlyAll);
+    await touchAll();
+    await page.goto(`${fixture.url}/one/?edit=skills-of-others`);
+    await page.getByRole("button", { name: /^Ready/ }).waitFor();
+    await expect.poll(() => seen(), kSoon).toBeGreaterThan(kNearlyAll);
+    const panel = page.getByRole("complementary", { name: "What is selected" });
+    for (const at of [0, 7, 40, 90, payloads.length - 1]) {
+      await page.locator(".step > .card > .card-open").nth(at).click();
+      await panel.getByRole("textbox").first().waitFor();
+      await pressAll(".panel summary");
+      await panel.getByRole("textbox").nth(1).fill(payloads[at] ?? "");
+      await touchAll();
+    }
+    const run = await start("skills-of-others");
+    await page.getByRole("button", { name: "Run", exact: true }).click();
+    await expect.poll(() => page.getByRole("status", { name: "Run status" }).innerText(), kSoon).toBe("Running");
+    await rest();
+    await send("POST", `/cores/${run}/stop`);
+  });
+});
+
 describe("services", () => {
   /** What a display may show at once; buttons are short. */
   const short = payloads.filter((text) => Buffer.byteLength(text) <= 40);
@@ -443,7 +471,7 @@ describe("an address", () => {
   });
 
   it("may change to any of the texts, by the browser's Back and Forward", async () => {
-    for (const path of ["/pro/?edit=described0", "/display/?name=phone", "/trust/"]) {
+    for (const path of ["/pro/?edit=described0", "/one/", "/one/?edit=guarded", "/one/?edit=draft#run", "/display/?name=phone", "/trust/"]) {
       await page.goto(`${fixture.url}${path}`);
       await rest();
       // Of the pages, one reads its whole address again.
@@ -516,7 +544,7 @@ describe("with the policy that browsers enforce", () => {
     const { id } = await send("POST", "/cores", { document: "guarded" });
     for (const address of ["/pro/", "/pro/?edit=guarded", "/pro/?edit=draft", `/pro/?run=${id}`, "/display/?name=phone", "/trust/"]) {
       await strict.goto(`${fixture.url}${address}`);
-      if (/=guarded|run=/.test(address)) {
+      if (/pro.*(=guarded|run=)/.test(address)) {
         await settled(strict);
         for (const path of ["Root/S0", "Root/S7"]) await strict.getByRole("treeitem", { name: path, exact: true }).locator(".tree-name").click();
       }

@@ -7,7 +7,17 @@ import { everyStep, useApplication, useSelected } from "./model";
 import { StepPanel } from "./step/StepPanel";
 import { TaskPanel } from "./step/TaskPanel";
 import { Tasks } from "./line/Tasks";
+import { place } from "./place";
+import { focusCard } from "./select";
 import { useSheet, showSheet } from "./sheet";
+
+/** The focus goes back to the card of what was shown. */
+function closePanel(): void {
+  showSheet(undefined);
+  const { step, task } = place();
+  const shown = step ?? task;
+  if (shown !== undefined) focusCard(shown);
+}
 
 export function Build({ name }: { readonly name: string }) {
   const application = useApplication();
@@ -31,7 +41,7 @@ export function Build({ name }: { readonly name: string }) {
       {canAdd && <SkillLibrary />}
       <Tasks application={application} />
       <aside className="panel" aria-label="What is selected" tabIndex={-1} ref={setPanel}>
-        <button type="button" className="plain sheet-close" aria-label="Close the settings" onClick={() => showSheet(undefined)}>
+        <button type="button" className="plain sheet-close" aria-label="Close the settings" onClick={closePanel}>
           ✕
         </button>
         {selected === undefined ? (

@@ -45,6 +45,11 @@ export function openApplication(name: string | undefined): void {
   store.dispatch({ session: editor.session() });
 }
 
+/** Leaving the page would lose what the server has not taken yet. */
+addEventListener("beforeunload", (event) => {
+  if ((store.get().session?.pending.length ?? 0) > 0) event.preventDefault();
+});
+
 /** Makes a change of the document as it is now. The id of what is to be selected then; nothing: it was refused, and that is told. */
 export function perform(make: (tree: Tree, supplies: Supplies) => Command): string | undefined {
   const tree = treeNow();
