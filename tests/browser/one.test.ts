@@ -246,6 +246,10 @@ describe("the run of an application", () => {
     await page.getByRole("button", { name: "Run", exact: true }).click();
     await page.getByRole("button", { name: "Start again" }).click();
     await page.getByRole("button", { name: "Yes", exact: true }).click();
+    await page.getByRole("button", { name: "Skip" }).waitFor();
+    await page.getByRole("heading", { name: "Move to", exact: true }).waitFor();
+    await page.getByRole("heading", { name: "Move to: The place is not known" }).waitFor();
+    await fixture.screenshot("one-run-asks");
     await page.getByRole("button", { name: "Skip" }).click();
     await page.getByRole("heading", { name: "All done" }).waitFor();
     await expect.poll(() => page.getByText("Done", { exact: true }).locator("..").last().innerText(), kSoon).toContain("1");

@@ -1,7 +1,7 @@
 // The run of the application: what happens now, what is next, what went wrong, and the buttons to begin, hold and end it.
 import { useEffect, useMemo } from "react";
 import { goesOnMeanwhile, isBadOutcome, isOver, statusLook } from "../../shared/run/controls";
-import { activeIds, progressIn } from "../../shared/timeline/progress";
+import { activeIds, kNoProgress, progressIn, type Progress } from "../../shared/timeline/progress";
 import { failureText } from "../line/StepCard";
 import { useCore, useSession } from "../client";
 import { useApplication } from "../model";
@@ -11,9 +11,6 @@ import { becomeDisplay } from "./display";
 import { treeOfRun, useFailure } from "./failed";
 import { Finished } from "./Finished";
 import { RunButtons } from "./RunButtons";
-import type { Progress } from "../../shared/timeline/progress";
-
-const kIdle: Progress = { now: [], next: undefined, done: 0, line: undefined };
 
 export function RunView({ name }: { readonly name: string }) {
   const application = useApplication();
@@ -24,7 +21,7 @@ export function RunView({ name }: { readonly name: string }) {
   useEffect(becomeDisplay, []);
   const progress = useMemo(() => {
     const tree = treeOfRun({ model });
-    return application === undefined || tree === undefined || active === undefined ? kIdle : progressIn(application.root, activeIds(active, tree));
+    return application === undefined || tree === undefined || active === undefined ? kNoProgress : progressIn(application.root, activeIds(active, tree));
   }, [application, model, active]);
   const isGoing = core !== undefined && !isOver(core) && core.status !== "ready";
   const look = core === undefined ? "ready" : statusLook(core);
@@ -45,7 +42,7 @@ export function RunView({ name }: { readonly name: string }) {
         {core !== undefined && <p className="quiet">{goesOnMeanwhile(core)}</p>}
         {isGoing && progress.line !== undefined && <Steps progress={progress} />}
       </section>
-      {failure !== undefined && (core === undefined || isOver(core) || step === undefined || step.id !== failure.step.id) && (
+      {failure !== undefined && (core === undefined || isOver(core) || progress.failing || step?.id !== failure.step.id) && (
         <section className="wrong" aria-label="What went wrong">
           <h2>
             {failure.step.title}: {failure.title}

@@ -16,20 +16,23 @@ export interface Progress {
   /** Of the time line of the innermost active step: how many of its steps that are on stand before it. */
   readonly done: number;
   readonly line: TimeLine | undefined;
+  /** The innermost of them has failed, and that is being handled. */
+  readonly failing: boolean;
 }
 
-const kNothing: Progress = { now: [], next: undefined, done: 0, line: undefined };
+export const kNoProgress: Progress = { now: [], next: undefined, done: 0, line: undefined, failing: false };
 
 /** Of what stands in a time line; the first that is active, if there are several. */
 export function progressIn(line: TimeLine, active: ReadonlySet<string>): Progress {
   const on = line.steps.filter(({ disabled }) => !disabled);
-  const step = [...on, ...line.others].find(({ id }) => active.has(id));
-  if (step === undefined) return kNothing;
+  const all = [...on, ...line.others];
+  const step = all.find(({ id }) => active.has(id)) ?? all.find(({ handlers }) => handlers.some((id) => active.has(id)));
+  if (step === undefined) return kNoProgress;
   const at = on.indexOf(step);
   const next = at === -1 ? undefined : on[at + 1];
-  const within = step.inner === undefined ? kNothing : progressIn(step.inner, active);
+  const within = step.inner === undefined ? kNoProgress : progressIn(step.inner, active);
   if (within.now.length > 0) return { ...within, now: [step, ...within.now], next: within.next ?? next };
-  return { now: [step], next, done: Math.max(0, at), line };
+  return { now: [step], next, done: Math.max(0, at), line, failing: !active.has(step.id) };
 }
 
 /** An error of a step that has fired. */

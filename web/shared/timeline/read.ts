@@ -55,10 +55,10 @@ function parametersOf(tree: Tree, id: string, { parameters }: Skill): readonly S
 
 const timesOf = (tree: Tree, id: string): StepParameter | undefined => parametersOf(tree, id, skillOf(tree, id)).find(({ about }) => about.name === "times");
 
-function plannedStep(tree: Tree, { id, kind }: PlannedStep, { failure, goes, retry }: Intent): Step {
+function plannedStep(tree: Tree, { id, kind }: PlannedStep, { failure, goes, retry, ask }: Intent): Step {
   const base = anyStep(tree, id, kind);
   const { outcomes, errors } = portsOf(tree, id);
-  return { ...base, failure: errors.length === 0 ? undefined : failure, times: retry === undefined ? undefined : timesOf(tree, retry), outcomes: outcomes.map((port) => ({ port, goes: goes.get(port.name) ?? "end" })) };
+  return { ...base, failure: errors.length === 0 ? undefined : failure, handlers: [retry, ask].filter((handler) => handler !== undefined), times: retry === undefined ? undefined : timesOf(tree, retry), outcomes: outcomes.map((port) => ({ port, goes: goes.get(port.name) ?? "end" })) };
 }
 
 /** A step as it can be read of any state, or barrier. */
@@ -67,7 +67,7 @@ function anyStep(tree: Tree, id: string, kind: Step["kind"]): Step {
   const loop = kind === "loop" ? readLoop(tree, id) : undefined;
   const inner = loop !== undefined && "body" in loop ? loop.body : kind === "task" || kind === "loop" ? id : undefined;
   return {
-    id, name: nameOfElement(tree, id), kind, about, title: about.title, disabled: isDisabled(tree, id), failure: undefined, times: undefined, outcomes: [], errors: about.ports.filter(({ advice }) => advice !== undefined),
+    id, name: nameOfElement(tree, id), kind, about, title: about.title, disabled: isDisabled(tree, id), failure: undefined, handlers: [], times: undefined, outcomes: [], errors: about.ports.filter(({ advice }) => advice !== undefined),
     parameters: elementOf(tree, id).kind === "state" ? parametersOf(tree, id, about) : [], inner: inner === undefined ? undefined : readTimeLine(tree, inner),
     repeat: loop !== undefined && "count" in loop ? timesOf(tree, loop.count) : undefined,
   };

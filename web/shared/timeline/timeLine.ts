@@ -49,6 +49,8 @@ export interface Step {
   readonly disabled: boolean;
   /** Nothing: it has no errors, or the time line cannot be changed. */
   readonly failure: Failure | undefined;
+  /** Ids of the states that handle its failures. */
+  readonly handlers: readonly string[];
   /** How often it is tried again, the parameter of its `Retry`. */
   readonly times: StepParameter | undefined;
   /** Besides the nominal one. */

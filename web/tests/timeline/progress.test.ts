@@ -41,6 +41,15 @@ test("what happens now is the innermost step, with what is next and what is done
   expect(at("", "/Task", "/Task/C")).toMatchObject({ now: [{ title: "The task" }, { name: "C" }], next: undefined, done: 2 });
 });
 
+test("while a failure is handled, the step that has failed is what happens", () => {
+  const ask = { id: "ask", name: "Ask" };
+  const step = application.tasks[0]?.inner?.steps[1];
+  if (step === undefined) throw new Error("there is no step");
+  const line = { ...application.root, steps: [{ ...step, handlers: [ask.id] }] };
+  expect(progressIn(line, new Set([ask.id]))).toMatchObject({ now: [{ name: "B" }], failing: true });
+  expect(progressIn(line, new Set(["b"]))).toMatchObject({ now: [{ name: "B" }], failing: false });
+});
+
 test("a state beside the flow is shown, without a next one; without any, there is nothing", () => {
   expect(at("", "/Task", "/Task/Other")).toMatchObject({ now: [{ title: "The task" }, { name: "Other" }], next: undefined });
   expect(at("")).toMatchObject({ now: [], next: undefined, done: 0 });
