@@ -181,6 +181,30 @@ describe("an application of skills", () => {
     await expect.poll(steps).toEqual(before);
   });
 
+  it("repeats a whole task, and adds a second one, with the tasks in an order", async () => {
+    await task("Pause a bit").getByRole("button", { name: /^Pause a bit/ }).click();
+    await panel().getByRole("button", { name: "Repeat", exact: true }).click();
+    await task("Repeat").getByText("3 ×").waitFor();
+    await panel().getByRole("button", { name: "Times: one less" }).or(panel().getByRole("slider", { name: /^Times/ })).first().waitFor();
+    await panel().getByRole("textbox", { name: "Times" }).fill("0");
+    await panel().getByRole("textbox", { name: "Times" }).press("Enter");
+    await task("Repeat").getByText("for ever").waitFor();
+    await page.getByRole("button", { name: "+ Add a task" }).click();
+    await page.getByLabel("Name of the task").fill("Greet");
+    await page.getByRole("button", { name: "Add the task" }).click();
+    await task("Greet").waitFor();
+    await panel().getByRole("button", { name: "Earlier" }).click();
+    await expect.poll(() => page.locator(".task > header strong").allInnerTexts()).toEqual(["Greet", "Repeat"]);
+    await saved();
+    expect((await stored("sort-parts")).root).toMatchObject({ first: "Greet", children: [{ state: "Greet" }, { state: "Loop", meta: { loop: true } }] });
+    await fixture.screenshot("one-tasks");
+    await panel().getByRole("button", { name: "Remove" }).click();
+    await task("Repeat").getByRole("button", { name: /^Repeat/ }).first().click();
+    await panel().getByRole("button", { name: "Do not repeat" }).click();
+    await task("Pause a bit").waitFor();
+    expect(await page.locator(".task").count()).toBe(1);
+  });
+
   it("is built by keys alone, too", async () => {
     const steps = () => titles(task("Pause a bit"));
     await card("Wait").focus();

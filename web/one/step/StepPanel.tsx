@@ -8,10 +8,10 @@ import { useLogin } from "../client";
 import { perform } from "../editing";
 import { useProblems } from "../model";
 import { Picture } from "../Picture";
-import { duplicate, moveBy, remove, repeat, repeatNoMore, turn } from "./actions";
-import { FailureField, OutcomeFields } from "./FailureField";
 import { MoveTo } from "./MoveTo";
+import { FailureField, OutcomeFields } from "./FailureField";
 import { ParameterField } from "./ParameterField";
+import { StepTools } from "./StepTools";
 
 interface Props {
   readonly step: Step;
@@ -34,7 +34,9 @@ export function StepPanel({ step, line, application }: Props) {
         <>
           <FailureField step={step} line={line} disabled={!isEditable} />
           <OutcomeFields step={step} disabled={!isEditable} />
-          <StepTools step={step} line={line} application={application} disabled={!isEditable} />
+          <StepTools step={step} line={line} disabled={!isEditable}>
+            <MoveTo step={step} line={line} application={application} disabled={!isEditable} />
+          </StepTools>
         </>
       )}
     </>
@@ -79,56 +81,6 @@ function Parameters({ step, line, disabled }: { readonly step: Step; readonly li
           {advanced.map(field)}
         </details>
       )}
-    </section>
-  );
-}
-
-function StepTools({ step, line, application, disabled }: Props & { readonly disabled: boolean }) {
-  const at = line.steps.findIndex(({ id }) => id === step.id);
-  const following = line.steps.slice(at);
-  const [until, setUntil] = useState(step.id);
-  const last = following.findIndex(({ id }) => id === until);
-  return (
-    <section aria-label="This step" className="tools">
-      <h3>This step</h3>
-      <div className="buttons">
-        <button type="button" disabled={disabled || at === 0} onClick={() => moveBy(step.id, -1)}>
-          Earlier
-        </button>
-        <button type="button" disabled={disabled || at === line.steps.length - 1} onClick={() => moveBy(step.id, 1)}>
-          Later
-        </button>
-        <button type="button" disabled={disabled} onClick={() => void duplicate(step.id)}>
-          Duplicate
-        </button>
-        <button type="button" disabled={disabled} onClick={() => turn(step.id, !step.disabled)}>
-          {step.disabled ? "Turn on" : "Turn off"}
-        </button>
-        {step.kind === "loop" && (
-          <button type="button" disabled={disabled} onClick={() => repeatNoMore(step.id)}>
-            Do not repeat
-          </button>
-        )}
-        <button type="button" className="danger" disabled={disabled} onClick={() => remove(step.id)}>
-          Remove
-        </button>
-      </div>
-      <MoveTo step={step} line={line} application={application} disabled={disabled} />
-      <div className="repeat">
-        <label>
-          <span>Repeat from here to</span>
-          <select disabled={disabled} value={until} onChange={(event) => setUntil(event.target.value)}>
-            {following.map(({ id, title }) => (
-              <option key={id} value={id}>
-                {title}
-              </option>
-            ))}
-          </select>
-        </label>
-        <button type="button" disabled={disabled} onClick={() => repeat(following.slice(0, Math.max(0, last) + 1).map(({ id }) => id))}>
-          Repeat
-        </button>
-      </div>
     </section>
   );
 }
