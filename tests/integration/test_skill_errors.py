@@ -158,6 +158,8 @@ class Errors(unittest.TestCase):
                 with self.subTest(skill=skill, error=error):
                     self.assertEqual((out.result().name, out.result().last.get("fault")), (error, None), out.result().results)
                     self.assertTrue(out.result().results["why"])
+                    led = out.result().called("robot", "change_behavior")
+                    self.assertTrue(not led or led[-1]["args"] == ["position"])
                     if error != "busy":
                         self.assert_stands(out.result())
 
@@ -166,6 +168,7 @@ class Errors(unittest.TestCase):
             self.assertEqual(run_skills(link("PickFound", found=value)).name, "no_found", value)
             out = run_skills(link("MoveTo", pose="odd"), database={"pose_odd": value})
             self.assertEqual(out.name, "no_pose", value)
+        self.assertEqual(run_skills(link("CalibrateCamera", postures=[], samples=0)).name, "setting")
 
     def test_without_pictures_a_search_does_not_say_that_there_is_no_part(self):
         silent = {"beside": (0.05, "svc.obj_rec.stop()")}

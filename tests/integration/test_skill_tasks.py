@@ -92,9 +92,10 @@ class Example(unittest.TestCase):
     def test_a_collision_in_each_phase_of_picking_is_tried_again_without_anybody(self):
         """A part that is in the fingers already is not let go."""
         grab = f"{TASK}/Pick/Grab"
-        for state, grasps in (("Open", 1), ("Above", 1), ("Down", 1), ("Close", 2), ("Lift", 1)):
-            out = example(bump(f"{grab}/{state}", 0.1 if state != "Open" else 0.0), displays=())
-            self.assertEqual((out.fired.count(f"{TASK}/Pick.collision"), out.calls.count("gripper.grasp")), (1, grasps), state)
+        phases = (("Open", 0, 1), ("Above", 0.1, 1), ("Down", 0.1, 1), ("Close", 0.1, 2), ("Close", 0.7, 2), ("Close", 0.8, 2), ("Lift", 0.1, 1))
+        for state, after, grasps in phases:
+            out = example(bump(f"{grab}/{state}", after), displays=())
+            self.assertEqual((out.fired.count(f"{TASK}/Pick.collision"), out.calls.count("gripper.grasp")), (1, grasps), (state, after))
             self.assert_placed(out)
 
     def test_a_collision_in_each_phase_of_placing_is_gone_on_with(self):
