@@ -92,7 +92,8 @@ class Example(unittest.TestCase):
     def test_a_collision_in_each_phase_of_picking_is_tried_again_without_anybody(self):
         """A part that is in the fingers already is not let go."""
         grab = f"{TASK}/Pick/Grab"
-        phases = (("Open", 0, 1), ("Above", 0.1, 1), ("Down", 0.1, 1), ("Close", 0.1, 2), ("Close", 0.7, 2), ("Close", 0.8, 2), ("Lift", 0.1, 1))
+        closing = (("Close", after, 2) for after in (0.1, 0.7, 0.8))
+        phases = (("Open", 0, 1), ("Above", 0.1, 1), ("Down", 0.1, 1), *closing, ("Lift", 0.1, 1))
         for state, after, grasps in phases:
             out = example(bump(f"{grab}/{state}", after), displays=())
             self.assertEqual((out.fired.count(f"{TASK}/Pick.collision"), out.calls.count("gripper.grasp")), (1, grasps), (state, after))

@@ -3,7 +3,7 @@ import { useEffect, useMemo } from "react";
 import { controls, useControls } from "../../control/page";
 import type { JsonValue } from "../../shared/json";
 import { namedIn, type Named } from "../../shared/skills/named";
-import { createStore, useSelected } from "../../pro/store";
+import { createStore, useSelected } from "../../page/store";
 import { useTree } from "../editing";
 import { useNamedElsewhere } from "../skills";
 

@@ -168,7 +168,7 @@ describe("mistakes", () => {
   });
 });
 
-it.each(["pick", "demonstrator"])("nothing is found wrong with the texts of the demo's %s", (name) => {
+it.each(["pick", "demonstrator", "skills"])("nothing is found wrong with the texts of the demo's %s", (name) => {
   const demo = treeOf(readJson(new URL(`../../../deploy/demo/${name}.rcm.json`, import.meta.url)) as JsonValue);
   const texts = statesOf(demo).flatMap((state) => textsInScope(demo, state));
   expect(texts.length).toBeGreaterThan(5);
