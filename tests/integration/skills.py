@@ -31,7 +31,8 @@ def task_of(*links, after="success", beside=None, absent=None, rest=None):
     document = task(*copy.deepcopy(links), after=after, document=DOCUMENT)
     root, last = document["root"], links[-1]["state"]
     root["results"].append({"name": "why", "initial": ""})
-    root["actions"].append({"when": f"chi.{last}.res.why != ''", "do": f"res.why = chi.{last}.res.why"})
+    if links[-1]["link"] in SKILLS:
+        root["actions"].append({"when": f"chi.{last}.res.why != ''", "do": f"res.why = chi.{last}.res.why"})
     if rest is not None:
         root["children"][-1]["ports"] = [{"name": rest, "to": "Rest"}]
         root["children"].append({"state": "Rest", "ports": [{"name": "over", "after": str(REST)}]})

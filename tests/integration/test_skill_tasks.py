@@ -120,6 +120,14 @@ class Example(unittest.TestCase):
         self.assertNotIn("robot.move", out.calls[out.calls.index("display.ask"):])
 
 
+class AskingAPerson(unittest.TestCase):
+    def test_a_question_is_asked_however_long_its_texts_are(self):
+        long = "\N{GREEK SMALL LETTER ALPHA}" * 3000
+        for parameters in ({}, {"step": long, "why": long}):
+            out = run_skills(link("WhatNow", **parameters), acts=[answer("Skip", {"display": {"text": "What is to be done?"}})])
+            self.assertEqual(out.name, "skip")
+
+
 class GoingOn(unittest.TestCase):
     def test_a_part_that_was_taken_out_meanwhile_is_picked_anew(self):
         """The lift was interrupted with the part in the fingers; a person puts it back before the retry."""
