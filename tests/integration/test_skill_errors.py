@@ -10,7 +10,7 @@ from client import Server
 from controls import Controls
 from motions import insisting
 from scenario import answer, bump, link
-from skills import HELD, ON_STAND, SKILLS, STAND, errors, run_skills, squeeze, take, task_of
+from skills import HELD, LIBRARY, ON_STAND, SKILLS, STAND, errors, run_skills, squeeze, take, task_of
 
 AWAY = "svc.robot.move({'joints': [0.6, -0.35, 0.0, 1.6, 0.0, -1.19, 0.0]}, speed=0.02)"  # for longer than any test
 FINGERS = "svc.gripper.release(width=0.02, speed=0.005)"
@@ -187,6 +187,10 @@ class OnServer(unittest.TestCase):
     def ended(self, core):
         core = self.server.ended(core)
         return core.get("outcome"), core["results"]["why"]
+
+    def test_it_stores_them_with_the_other_documents_of_the_demo(self):
+        entry = self.server.get("/documents/skills", "document_entry")
+        self.assertEqual((entry["errors"], [state["state"] for state in entry["document"]["library"]]), ([], list(LIBRARY)))
 
     def test_a_gesture_is_not_waited_for_after_another_mode_until_a_person_lets_the_run_go_on(self):
         core = self.server.core(task_of(link("WaitTime", duration=1.5), link("WaitForGesture")))
