@@ -104,7 +104,7 @@ export async function watchScripts(context: BrowserContext, url: string): Promis
     const { protocol, host: asked } = new URL(address);
     if (asked !== host && !(["data:", "blob:", "about:"].includes(protocol) && !address.startsWith("data:text/"))) found.push(`${from}request: ${address.slice(0, 200)}`);
   };
-  context.on("request", (request) => ask(request.url(), request.isNavigationRequest() ? "" : nameOf(request.frame())));
+  context.on("request", (request) => ask(request.url(), request.isNavigationRequest() || request.serviceWorker() !== null ? "" : nameOf(request.frame())));
   context.on("page", (page) => page.on("websocket", (socket) => ask(socket.url())));
   return { found: () => found.splice(0) };
 }

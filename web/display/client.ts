@@ -1,18 +1,15 @@
 // The page's one connection: what the server says changes the page's stores, and what a person does is sent to the server.
-import { createApi } from "../shared/api";
-import { withControls } from "../shared/control/header";
-import { controlUrl } from "../shared/control/link";
 import { applyDisplayEvent, canAnswer, firstPage, kDefaultName, nameOf, placeOf, type DisplayEvent, type DisplayPage } from "../shared/display/page";
 import type { Key } from "../shared/display/numberText";
-import { createAccess, type Access } from "../shared/login/access";
-import { storedTokens } from "../shared/login/tokens";
+import type { Access } from "../shared/login/access";
 import { messageOf } from "../shared/messageOf";
 import type { StreamUpdate } from "../shared/messages/stream";
 import { watchReach } from "../shared/reach";
 import { applyEvent, emptySession, watchedCore, type Session, type SessionEvent } from "../shared/session/session";
 import { coreToWatch } from "../shared/session/watched";
-import { openStream, streamUrl, type Stream } from "../shared/stream";
+import { openStream, type Stream } from "../shared/stream";
 import { controls, every } from "../control/page";
+import { createAccount } from "../page/account";
 import { createRights } from "../page/rights";
 import { createStore, useSelected } from "../page/store";
 import { stop } from "../stop/page";
@@ -28,23 +25,9 @@ export const session = createStore<Session, SessionEvent>(emptySession, applyEve
 export const useDisplay = <T>(select: (page: DisplayPage) => T): T => useSelected(display, select);
 export const useSession = <T>(select: (state: Session) => T): T => useSelected(session, select);
 
-/** Who uses the page. */
-export const login = createStore<Access, Access>({ asked: false }, (_, next) => next);
+export const { login, access, fetchWithControls, api, ownControls, ownStream } = createAccount(() => stream?.reopen());
 export const useLogin = <T>(select: (access: Access) => T): T => useSelected(login, select);
 export const { refusalNow, useRefusal, useRefusalOfCommand, useRefusalToStart } = createRights(login);
-
-export const access = createAccess({
-  base: "/api/v1",
-  fetcher: (input, init) => fetch(input, init),
-  tokens: storedTokens(() => localStorage, window),
-  onChange: (next) => login.dispatch(next),
-  onOtherLogin: () => stream?.reopen(),
-});
-/** Of the account, and of who has the controls of the cell. */
-export const fetchWithControls = withControls(access.fetch, controls.secret);
-export const api = createApi("/api/v1", fetchWithControls);
-/** The address of the controls, for this page. */
-export const ownControls = (): Promise<string> => access.streamUrl(controlUrl(location));
 
 let stream: Stream | undefined;
 
@@ -113,7 +96,7 @@ function take(update: StreamUpdate): void {
 
 /** Runs until the page is closed. */
 export function connect(): void {
-  const opened = openStream(() => access.streamUrl(streamUrl(location)), {
+  const opened = openStream(ownStream, {
     onConnection: (connection, ended) => {
       if (connection === "lost" && !access.get().asked) void access.ask().catch(() => undefined); // the account may have changed
       stop.connection(connection);

@@ -12,6 +12,9 @@ export type CodeState =
   | { readonly kind: "over" }
   | { readonly kind: "failed"; readonly why: string };
 
+/** After the last key [ms], so that not each letter of a name is a code of its own. */
+const kSettle = 500;
+
 /** `pairing`: what the phone may; nothing: it gets no code. `attempt`: another one asks for another code. */
 export function useCode(api: Api, pairing: PairingCreate | undefined, attempt: number): CodeState {
   const [state, setState] = useState<CodeState>({ kind: "none" });
@@ -24,14 +27,16 @@ export function useCode(api: Api, pairing: PairingCreate | undefined, attempt: n
     let isOver = false;
     let end: ReturnType<typeof setTimeout> | undefined;
     setState({ kind: "asked" });
-    api.createPairing(JSON.parse(wanted) as PairingCreate).then(
-      ({ code, expires_s, addresses }) => {
-        if (isOver) return;
-        setState({ kind: "there", code, origin: addresses[0]?.url, until: Date.now() + expires_s * 1000 });
-        end = setTimeout(() => setState({ kind: "over" }), expires_s * 1000);
-      },
-      (error: unknown) => isOver || setState({ kind: "failed", why: messageOf(error) }),
-    );
+    const ask = () =>
+      api.createPairing(JSON.parse(wanted) as PairingCreate).then(
+        ({ code, expires_s, addresses }) => {
+          if (isOver) return;
+          setState({ kind: "there", code, origin: addresses[0]?.url, until: Date.now() + expires_s * 1000 });
+          end = setTimeout(() => setState({ kind: "over" }), expires_s * 1000);
+        },
+        (error: unknown) => isOver || setState({ kind: "failed", why: messageOf(error) }),
+      );
+    end = setTimeout(() => void ask(), kSettle);
     return () => {
       isOver = true;
       clearTimeout(end);

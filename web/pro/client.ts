@@ -1,7 +1,6 @@
 // The page's one connection to the server: stores, requests and the stream, wired together.
-import { createApi, RefusedError } from "../shared/api";
-import { createAccess, type Access } from "../shared/login/access";
-import { storedTokens } from "../shared/login/tokens";
+import { RefusedError } from "../shared/api";
+import type { Access } from "../shared/login/access";
 import type { CellPose, Core, Packet, TraceStep } from "../generated/messages";
 import type { RunSource } from "../shared/api";
 import { kNoPlaces, type Places } from "../shared/drawing/places";
@@ -18,10 +17,8 @@ import { addressWith, placeOfAddress } from "../shared/session/address";
 import { isUrgent } from "../shared/session/urgent";
 import { coreToWatch } from "../shared/session/watched";
 import type { StreamUpdate } from "../shared/messages/stream";
-import { openStream, streamUrl, type Connection, type Stream } from "../shared/stream";
-import { controls } from "../control/page";
-import { controlUrl } from "../shared/control/link";
-import { withControls } from "../shared/control/header";
+import { openStream, type Connection, type Stream } from "../shared/stream";
+import { createAccount } from "../page/account";
 import { stop } from "../stop/page";
 import { createStore, slowly, useSelected } from "../page/store";
 import { messageOf } from "../shared/messageOf";
@@ -31,23 +28,8 @@ const kPastSteps = 40;
 export const session = createStore<Session, SessionEvent>(emptySession, applyEvent);
 export const view = createStore<View, Gesture>(firstView({ width: innerWidth, height: innerHeight }), applyGesture);
 
-/** Who uses the page. */
-export const login = createStore<Access, Access>({ asked: false }, (_, next) => next);
+export const { login, access, fetchWithControls, api, ownControls, ownStream } = createAccount(() => stream?.reopen());
 export const useLogin = <T>(select: (access: Access) => T): T => useSelected(login, select);
-export const access = createAccess({
-  base: "/api/v1",
-  fetcher: (input, init) => fetch(input, init),
-  tokens: storedTokens(() => localStorage, window),
-  onChange: (next) => login.dispatch(next),
-  onOtherLogin: () => stream?.reopen(),
-});
-/** Of the account, and of who has the controls of the cell. */
-export const fetchWithControls = withControls(access.fetch, controls.secret);
-export const api = createApi("/api/v1", fetchWithControls);
-/** The address of the controls, for this page. */
-export const ownControls = (): Promise<string> => access.streamUrl(controlUrl(location));
-/** The address of a stream of this page. */
-export const ownStream = (): Promise<string> => access.streamUrl(streamUrl(location));
 
 /** The newest pose of the cell. It changes many times a second, so it bypasses the session. */
 export const cellPose = createStore<CellPose | undefined, CellPose | undefined>(undefined, (_, pose) => pose);
