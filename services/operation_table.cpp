@@ -16,7 +16,8 @@ rsm::OperationParameter to_model(const ParameterRow& row) {
 }
 
 rsm::Operation to_model(const OperationRow& row) {
-  rsm::Operation operation{row.name, {}, row.result, row.error, row.safe, row.doc, row.moves, row.held, row.paces};
+  rsm::Operation operation{row.name, {},        row.result, row.error, row.safe,
+                           row.doc,  row.moves, row.held,   row.paces, row.reads};
   for (const ParameterRow& parameter : row.parameters) operation.parameters.push_back(to_model(parameter));
   operation.result.freeze();
   operation.error.freeze();

@@ -69,6 +69,7 @@ struct OperationRow {
   bool moves = false;
   bool held = false;
   bool paces = false;
+  bool reads = false;
   Acceptance acceptance = Acceptance::before_handler;
   std::string doc = {};
 };

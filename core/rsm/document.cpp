@@ -58,6 +58,7 @@ Operation read_operation(const Value& json, Fields& parent, Errors& errors) {
   out.moves = fields.boolean("moves").value_or(false);
   out.held = fields.boolean("held").value_or(false);
   out.paces = fields.boolean("paces").value_or(false);
+  out.reads = fields.boolean("reads").value_or(false);
   out.doc = fields.text("doc").value_or("");
   fields.close();
   return out;
@@ -185,6 +186,7 @@ Value write_operation(const Operation& operation) {
   out.flag("moves", operation.moves);
   out.flag("held", operation.held);
   out.flag("paces", operation.paces);
+  out.flag("reads", operation.reads);
   out.text("doc", operation.doc);
   return out.done();
 }

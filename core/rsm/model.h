@@ -27,6 +27,7 @@ struct Operation {
   bool moves = false;  // may set something in the cell in motion; for people, who are asked before a run begins
   bool held = false;   // called again and again while a person holds a button; for who calls by hand
   bool paces = false;  // of one that `moves`: changes only how fast what is in motion already goes on
+  bool reads = false;  // changes nothing; for who calls by hand while somebody else has the controls
   bool operator==(const Operation&) const = default;
 };
 

@@ -226,6 +226,7 @@ Identity Accounts::identity_of(const AccountToken& token) const {
   const Account& account = accounts_.find(token.account)->second;  // removed with its tokens
   Identity identity{account.name, account.role, account.groups, token.digest, ""};
   if (token.scope.role) identity.role = std::min(account.role, *token.scope.role);
+  identity.display = token.scope.display;
   if (token.scope.local && !is_local(identity)) identity.groups.emplace_back(kLocal);
   return identity;
 }

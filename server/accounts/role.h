@@ -38,6 +38,7 @@ struct Identity {
   std::vector<std::string> groups = {};  // as of Account
   std::string token = {};                // hexadecimal digest of the token; empty without accounts
   std::string address = {};              // where they are: "127.0.0.1"
+  std::string display = {};              // the name of the display that this is, if it was let in with a code
   bool operator==(const Identity&) const = default;
 };
 

@@ -49,13 +49,24 @@ void ManualControl::call(Fields& fields, const Message& message) {
   host_.call(begun->caller, call.service, call.operation, call.args, call.kwargs);
 }
 
-Expected<bool> ManualControl::moves(const PersonCall& call) const {
+Expected<ManualControl::Effect> ManualControl::effect_of(const PersonCall& call) const {
   const auto service = host_.service(call.service);
   if (!service || !service->model)
     return unexpected(ErrorCode::not_found, "there is no service of this key", call.service);
   const auto& operations = service->model->operations;
   const auto operation = std::ranges::find(operations, call.operation, &rsm::Operation::name);
-  return operation != operations.end() && operation->moves;
+  if (operation == operations.end()) return Effect{};
+  return Effect{operation->moves, !operation->reads && !operation->safe};
+}
+
+// What a run reads or asks next may be changed by that, and so what it moves.
+Expected<void> ManualControl::may_call(const Sender& sender, const PersonCall& call, const Effect& effect) const {
+  if (sender.control != 0) return {};
+  if (effect.moves)
+    return unexpected(ErrorCode::leased, "take the controls of the cell first: " + quote(call.operation) + " moves");
+  if (effect.changes && control_.holder() != 0)
+    return unexpected(ErrorCode::leased, "somebody has the controls of the cell, and alone changes something in it");
+  return {};
 }
 
 Expected<services::Caller> ManualControl::begin_free(PersonCalls::Respond respond) {
@@ -64,21 +75,21 @@ Expected<services::Caller> ManualControl::begin_free(PersonCalls::Respond respon
   return services::Caller{std::string(kRequests), number, 0};
 }
 
-Expected<services::Caller> ManualControl::call_by_request(std::uint64_t control, const PersonCall& call,
+Expected<services::Caller> ManualControl::call_by_request(const Sender& sender, const PersonCall& call,
                                                           PersonCalls::Respond respond) {
-  ASSIGN_OR_RETURN(const bool moves_something, moves(call));
-  if (control == 0 && moves_something)
-    return unexpected(ErrorCode::leased, "take the controls of the cell first: " + quote(call.operation) + " moves");
-  services::Caller caller;
-  if (control == 0) {
-    ASSIGN_OR_RETURN(caller, begin_free(std::move(respond)));
+  ASSIGN_OR_RETURN(const Effect effect, effect_of(call));
+  if (auto may = may_call(sender, call, effect); !may) return tl::unexpected(std::move(may).error());
+  ByHand begun{{}, effect.changes};
+  if (sender.control == 0) {
+    ASSIGN_OR_RETURN(begun.caller, begin_free(std::move(respond)));
   } else {
-    ASSIGN_OR_RETURN(const ByHand begun,
-                     begin_by_hand(control, call, std::chrono::steady_clock::now(), Via::request, std::move(respond)));
-    caller = begun.caller;
+    ASSIGN_OR_RETURN(
+        begun, begin_by_hand(sender.control, call, std::chrono::steady_clock::now(), Via::request, std::move(respond)));
   }
-  host_.call(caller, call.service, call.operation, call.args, call.kwargs);
-  return caller;
+  if (begun.is_new && effect.changes)
+    record_(sender.identity, "service call " + call.service + '.' + call.operation, "accepted");
+  host_.call(begun.caller, call.service, call.operation, call.args, call.kwargs);
+  return begun.caller;
 }
 
 bool ManualControl::give_up(const services::Caller& caller) {

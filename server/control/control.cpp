@@ -22,6 +22,8 @@ void Control::reset() {
   const MutexLock lock(mutex_);
   if (!stopped_) return;
   stopped_.reset();
+  if (holder_)
+    holder_->fence = ++last_fence_;  // a button that was pressed while it was stopped is to be let go of first
   tell();
 }
 

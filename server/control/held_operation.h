@@ -6,7 +6,9 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 
 #include "server/control/control.h"
@@ -22,6 +24,7 @@ class HeldOperation {
   /// given: what ended that permission (a stop, another mode) ended the motion, and whoever resets the stop, the button
   /// moves nothing until it is let go of: until no such call has come for as long as a person may be silent.
   bool is_held_over(const std::string& service, std::uint64_t fence, Steady now);
+  static constexpr std::size_t kMostServices = 16;  // of more, the one that was called the longest ago is forgotten
 
   /// A call that is let through. Whether it begins a motion, or goes on with one.
   bool begins(const std::string& service, const std::string& operation, Steady now);
@@ -29,11 +32,15 @@ class HeldOperation {
   bool goes_on(const std::string& service, Steady now) const;
 
  private:
-  std::string service_, operation_;  // of the last motion
-  Steady moved_;                     // when it was let through last
-  std::string heard_from_;           // the service of the last call, let through or not
-  Steady heard_;
-  std::uint64_t fence_ = 0;  // with which the button was pressed
+  struct Button {
+    std::string operation;    // of the last motion
+    Steady moved = {};        // when it was let through last
+    Steady heard = {};        // when it was called last, let through or not
+    std::uint64_t fence = 0;  // with which it was pressed
+  };
+  Button& button_of(const std::string& service);
+
+  std::map<std::string, Button> buttons_;  // by service
 };
 
 }  // namespace race::server

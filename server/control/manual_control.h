@@ -44,12 +44,17 @@ class ManualControl final : public ControlRequests {
   /// Who is silent has the controls no more; a request that nobody answers is dropped. On the thread of the cell, each
   /// step.
   void check(Steady now) EXCLUDES(mutex_);
-  /// Calls an operation for a request: `control` is the number of its sender, 0 if they have not the controls.
-  /// `respond` gets the response, unless give_up() comes before. One that `moves` passes what a call on a connection
-  /// does. Errors: `not_found`: the service; `leased`: it moves, and they have not the controls; `stopped`, of what is
-  /// called while a button is held that was held when the cell was; `unavailable`: PersonCalls::kMost others wait.
-  Expected<services::Caller> call_by_request(std::uint64_t control, const PersonCall& call,
-                                             PersonCalls::Respond respond) EXCLUDES(mutex_);
+  /// Who sends a request, and their number if they have the controls, else 0.
+  struct Sender {
+    const Identity& identity;
+    std::uint64_t control = 0;
+  };
+  /// Calls an operation for a request. `respond` gets the response, unless give_up() comes before. One that `moves`
+  /// passes what a call on a connection does. Errors: `not_found`: the service; `leased`: it moves, and they have not
+  /// the controls, or it changes something, and somebody else has them; `stopped`, of what is called while a button is
+  /// held that was held when the cell was; `unavailable`: PersonCalls::kMost others wait.
+  Expected<services::Caller> call_by_request(const Sender& sender, const PersonCall& call, PersonCalls::Respond respond)
+      EXCLUDES(mutex_);
   /// Nobody waits for the response to this call of a request any more; whether somebody did.
   bool give_up(const services::Caller& caller) EXCLUDES(mutex_);
   /// What a service says: responses to calls by people go to who made them. Under the host's lock: quick.
@@ -108,7 +113,12 @@ class ManualControl final : public ControlRequests {
   Expected<ByHand> begin_by_hand(std::uint64_t control, const PersonCall& call, Steady now, Via via,
                                  PersonCalls::Respond respond) EXCLUDES(mutex_);
   Expected<services::Caller> begin_free(PersonCalls::Respond respond) EXCLUDES(mutex_);
-  Expected<bool> moves(const PersonCall& call) const;
+  /// What the operation that is called may do, as its declaration says.
+  struct Effect {
+    bool moves = false, changes = false;
+  };
+  Expected<Effect> effect_of(const PersonCall& call) const;
+  Expected<void> may_call(const Sender& sender, const PersonCall& call, const Effect& effect) const;
   void ask(const std::shared_ptr<ControlClient>& client, const std::string& by, Steady now) EXCLUDES(mutex_);
   void give(const std::shared_ptr<ControlClient>& client, const std::string& by, Steady now) EXCLUDES(mutex_);
   std::uint64_t number_of(const ControlClient& client) const EXCLUDES(mutex_);

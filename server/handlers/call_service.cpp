@@ -30,8 +30,9 @@ void call_service(const Request& request, Respond respond, ManualControl& manual
   if (!call) return respond(tl::unexpected(call.error()));
   const auto number = control_of(request, manual);
   if (!number) return respond(failed(number.error()));
-  const auto once = std::make_shared<Once<Value>>(answer_to(std::move(respond)));
-  const auto caller = manual.call_by_request(*number, *call, [once](Dict response) { (*once)(std::move(response)); });
+  const auto once = std::make_shared<Once<Value>>(answer_to(as_routine(std::move(respond))));
+  const auto caller = manual.call_by_request({request.identity, *number}, *call,
+                                             [once](Dict response) { (*once)(std::move(response)); });
   if (!caller) return (*once)(tl::unexpected(caller.error()));
   deadlines.after(kResponseTime, [once, caller = *caller, &manual] {
     if (manual.give_up(caller))

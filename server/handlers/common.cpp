@@ -43,6 +43,13 @@ Handled answer(Expected<Value> value) {
   return ok(std::move(*value));
 }
 
+Respond as_routine(Respond respond) {
+  return [respond = std::move(respond)](Handled handled) {
+    if (handled) handled->is_routine = true;
+    respond(std::move(handled));
+  };
+}
+
 Done<Value> answer_to(Respond respond) {
   return [respond = std::move(respond)](Expected<Value> value) { respond(answer(std::move(value))); };
 }

@@ -162,4 +162,7 @@ Handled answer(Expected<Value> value);
 /// Responds with the answer of a core or the cell once it has come.
 Done<Value> answer_to(Respond respond);
 
+/// The same reply, which has no row of its own in the audit log if it is no refusal.
+Respond as_routine(Respond respond);
+
 }  // namespace race::server

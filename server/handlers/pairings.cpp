@@ -95,6 +95,9 @@ Reply paired(const Pairing& pairing, const Accounts::Issued& token, std::int64_t
 
 Handled create_pairing(const Request& request, Accounts& accounts, Pairings& pairings, NetworkAddresses& addresses) {
   if (accounts.empty()) return no_accounts();
+  // Otherwise a phone that is lost would let others in, and itself beyond its time.
+  if (!request.identity.display.empty())
+    return refusal(403, "rights", "a display that was let in with a code lets nobody in");
   auto pairing = read_pairing(request);
   if (!pairing) return tl::unexpected(std::move(pairing).error());
   const auto code = pairings.issue(std::move(*pairing), std::chrono::steady_clock::now());

@@ -13,14 +13,6 @@ void execute(Respond respond, Cell& cell, Deadlines& deadlines, const std::optio
   cell.execute(command, deadlines, answer_to(std::move(respond)));
 }
 
-// A hand that is dragged asks thirty times a second.
-Respond as_routine(Respond respond) {
-  return [respond = std::move(respond)](Handled handled) {
-    if (handled) handled->is_routine = true;
-    respond(std::move(handled));
-  };
-}
-
 }  // namespace
 
 void get_person(const Request&, Respond respond, Cell& cell, Deadlines& deadlines) {
@@ -32,6 +24,7 @@ void execute_person_command(const Request& request, Respond respond, Cell& cell,
   if (!body) return respond(failed(body.error()));
   auto command = read_person_command(*body, kClientKeep);
   if (!command) return respond(tl::unexpected(std::move(command).error()));
+  // A hand that is dragged asks thirty times a second.
   if (std::holds_alternative<DragCommand>(command->what)) respond = as_routine(std::move(respond));
   execute(std::move(respond), cell, deadlines, std::move(*command));
 }

@@ -68,6 +68,7 @@ const services::OperationTable& Gripper::operations() {
               {.name = "state",
                .handler = &Gripper::report_state,
                .result = state_type(),
+               .reads = true,
                .doc = "How the fingers are now."},
           },
       .events =

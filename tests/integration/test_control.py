@@ -234,6 +234,17 @@ class Guiding(ControlCase):
         time.sleep(0.3)
         self.assertEqual(alice.call("robot", "guide"), {"result": None})
 
+    def test_a_button_that_is_pressed_while_the_cell_is_stopped_moves_nothing_after_the_reset(self):
+        alice = self.person().programming()
+        self.server.post("/stop")
+        for number in range(12):
+            if number == 4:
+                self.server.post("/stop/reset")
+            self.assertEqual(alice.call("robot", "jog", joints=[0, 0, 0, 0, 0, 0, 0.1])["error"]["code"], "stopped")
+            time.sleep(0.05)
+        time.sleep(0.3)
+        self.assertEqual(alice.call("robot", "jog", joints=[0, 0, 0, 0, 0, 0, 0.1]), {"result": None})
+
 
 class Audit(ControlCase):
     def rows(self):

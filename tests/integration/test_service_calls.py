@@ -130,6 +130,21 @@ class Motions(CallCase):
         self.arm.stands_for(0.5)
 
 
+class Changes(CallCase):
+    def test_what_runs_may_read_is_changed_by_who_has_the_controls_alone(self):
+        self.assertEqual(self.call("db", "add", "pose_home", 1), {"result": "pose_home"})
+        alice = self.person()
+        alice.take()
+        for service, operation in (("db", "add"), ("db", "remove"), ("display", "ask"), ("timer", "wait")):
+            self.assertEqual(self.refused(service, {"operation": operation, "args": ["pose_home"]}, 409)["code"], "leased", operation)
+        self.assertEqual(self.call("db", "get", "pose_home"), {"result": 1})
+        self.assertIn("pose_home", self.call("db", "list")["result"])
+        self.assertIn("q", self.call("robot", "state")["result"])
+        self.assertEqual(self.call("robot", "stop"), {"result": None}, "what is safe")
+        status, answer = alice.request("POST", "/services/db/calls", {"operation": "add", "args": ["pose_home", 2]})
+        self.assertEqual((status, answer), (200, {"result": "pose_home"}))
+
+
 class Rights(unittest.TestCase):
     def test_an_operator_calls_and_the_audit_log_has_it(self):
         with AccountServer("--demo", DEMO) as server:
@@ -137,7 +152,11 @@ class Rights(unittest.TestCase):
             self.assertEqual([server.ask(account, *call) for account in (None, "observer", "operator")], [401, 403, 200])
             server.wait_for(lambda: server.get("/audit?limit=1", "audit")["entries"])
             entry, = server.get("/audit?limit=1", "audit")["entries"]
-            self.assertEqual((entry["account"], entry["action"], entry["outcome"]), ("operator", "POST /api/v1/services/db/calls", "200"))
+            self.assertEqual((entry["account"], entry["action"], entry["outcome"]), ("operator", "service call db.add", "accepted"))
+            self.assertEqual(server.ask("operator", "POST", "/api/v1/services/db/calls", {"operation": "get", "args": ["x"]}), 200)
+            self.assertEqual(server.ask("operator", "POST", "/api/v1/services/db/calls", {"operation": "remove", "args": ["x"]}), 200)
+            server.wait_for(lambda: server.get("/audit?limit=1", "audit")["entries"][0]["action"] == "service call db.remove")
+            self.assertEqual(server.get("/audit?limit=2", "audit")["entries"][1], entry, "what only reads has no row")
 
 
 if __name__ == "__main__":

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 namespace race::server {
 namespace {
 
@@ -37,6 +39,28 @@ TEST_F(HeldOperationTest, IsHeldOverWhicheverOperationItCalls) {
 TEST_F(HeldOperationTest, OfAnotherServiceIsAnotherButton) {
   EXPECT_FALSE(held_over(1));
   EXPECT_FALSE(held_over(2, "crane"));
+}
+
+TEST_F(HeldOperationTest, TwoButtonsThatAreHeldAtOnceAreBothHeldOver) {
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_FALSE(held_over(1));
+    EXPECT_FALSE(held_over(1, "crane"));
+  }
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_TRUE(held_over(2));
+    EXPECT_TRUE(held_over(2, "crane"));
+  }
+}
+
+TEST_F(HeldOperationTest, TheServiceThatWasCalledTheLongestAgoIsForgotten) {
+  const auto soon = [&](const std::string& service, std::uint64_t fence) {
+    return held.is_held_over(service, fence, now += 1ms);
+  };
+  EXPECT_FALSE(soon("first", 1));
+  for (std::size_t i = 1; i < HeldOperation::kMostServices; ++i) soon("s" + std::to_string(i), 1);
+  EXPECT_TRUE(soon("s1", 2)) << "so many are known";
+  soon("one more", 1);
+  EXPECT_FALSE(soon("first", 2)) << "as if it were pressed anew";
 }
 
 TEST_F(HeldOperationTest, BeginsOnceForEachMotion) {

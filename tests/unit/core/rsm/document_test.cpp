@@ -31,6 +31,7 @@ TEST(ReadService, ReadsWhatIsDeclared) {
   EXPECT_TRUE(read_service_text(R"({"operations": [{"name": "f", "moves": true}]})", "").value().operations[0].moves);
   EXPECT_TRUE(read_service_text(R"({"operations": [{"name": "f", "held": true}]})", "").value().operations[0].held);
   EXPECT_TRUE(read_service_text(R"({"operations": [{"name": "f", "paces": true}]})", "").value().operations[0].paces);
+  EXPECT_TRUE(read_service_text(R"({"operations": [{"name": "f", "reads": true}]})", "").value().operations[0].reads);
   EXPECT_TRUE(robot.events[0].sampled);
   EXPECT_EQ(robot.events[0].rate_hz, 100.0);
   EXPECT_EQ(robot.transitions[0].defer, std::vector<std::string>{"arrive"});
@@ -51,7 +52,7 @@ TEST(WriteService, IsReadBackAsItWas) {
   robot.calls = {{"camera", "grab"}};
   robot.meta = Dict{{"icon", "arm"}};
   robot.operations[0].doc = "moves";
-  robot.operations[0].moves = robot.operations[0].held = robot.operations[0].paces = true;
+  robot.operations[0].moves = robot.operations[0].held = robot.operations[0].paces = robot.operations[0].reads = true;
   robot.operations[0].parameters[0] = {"pose", "pose", "m", "where to", -1.5, 2.0, std::nullopt};
   EXPECT_EQ(read_service(write_service(robot), "").value(), robot);
   const std::string text = to_json(write_service(robot));
@@ -70,6 +71,7 @@ TEST(ReadService, ListsViolationsOfTheFormat) {
   EXPECT_THAT(codes(R"({"operations": [{"name": "o", "safe": 1}]})"), ElementsAre(ErrorCode::type));
   EXPECT_THAT(codes(R"({"operations": [{"name": "o", "held": "yes"}]})"), ElementsAre(ErrorCode::type));
   EXPECT_THAT(codes(R"({"operations": [{"name": "o", "paces": 1}]})"), ElementsAre(ErrorCode::type));
+  EXPECT_THAT(codes(R"({"operations": [{"name": "o", "reads": 1}]})"), ElementsAre(ErrorCode::type));
   EXPECT_THAT(codes(R"({"operations": [{"name": "o", "parameters": [{"name": "p", "max": 1e999}]}]})"),
               ElementsAre(ErrorCode::constant));
   EXPECT_THAT(codes(R"({"calls": [{"service": "s"}]})"), ElementsAre(ErrorCode::missing));
