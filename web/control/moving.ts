@@ -46,6 +46,7 @@ export function createMoving({ refusal, services, onRefused, onArrived }: Moving
       refuse(refused);
       return;
     }
+    motion.end();
     robot = movableOf(services()).robot;
     motion.start(call);
   }

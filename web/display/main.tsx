@@ -13,7 +13,7 @@ import { followControls } from "../control/page";
 import { showStop } from "../stop/show";
 import { App } from "./App";
 import { connect, ownName } from "./client";
-import { pairByAddress } from "./pairing";
+import { followCodes, pairByAddress } from "./pairing";
 import { followPerson } from "./person";
 
 showStop();
@@ -27,6 +27,7 @@ if (ownName === undefined) {
 } else {
   document.title = `${ownName} · RACE`;
   void pairByAddress().then(connect);
+  followCodes();
   followPerson();
   root.render(<App />);
 }

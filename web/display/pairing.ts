@@ -14,7 +14,10 @@ const store = createStore<PairingState, PairingState>({ kind: "none" }, (_, next
 export const usePairing = (): PairingState => useSelected(store, (now) => now);
 export const dismissPairing = (): void => store.dispatch({ kind: "none" });
 
-/** To be called once, before the page connects. */
+/** To be called once: a code that is scanned while the page is open changes its address alone. */
+export const followCodes = (): void => addEventListener("hashchange", () => void pairByAddress());
+
+/** To be called before the page connects. */
 export async function pairByAddress(): Promise<void> {
   const code = codeOf(location.hash);
   if (code === undefined) return;

@@ -20,22 +20,25 @@ const kNamed = /(?:src|href)="([^"]*\/assets\/[^"]+)"/g;
 
 const shellOf = (): string => scope.registration.scope;
 
-/** Keeps the page as it is now, with what it names; what an earlier one named goes. */
+/** Keeps the page as it is now, also its rules, which name the port of STOP; what it names before, and what an earlier one named goes afterwards. */
 async function keep(page: Response): Promise<void> {
+  if (!page.ok) throw new Error(`status ${page.status}`);
   const cache = await caches.open(kCache);
   const text = await page.clone().text();
-  if (text === (await (await cache.match(shellOf()))?.text())) return;
-  await caches.delete(kCache);
-  const next = await caches.open(kCache);
-  await next.addAll([...text.matchAll(kNamed)].map(([, address]) => new URL(address ?? "", shellOf()).href));
-  await next.put(shellOf(), page.clone());
+  const isSame = text === (await (await cache.match(shellOf()))?.text());
+  const named = [...text.matchAll(kNamed)].map(([, address]) => new URL(address ?? "", shellOf()).href);
+  if (!isSame) await cache.addAll(named);
+  await cache.put(shellOf(), page.clone());
+  if (isSame) return;
+  const kept = new Set([shellOf(), ...named]);
+  for (const { url } of await cache.keys()) if (!kept.has(url)) await cache.delete(url);
 }
 
 /** From the server; the kept one if there is no server. */
 async function openPage(): Promise<Response> {
   try {
     const page = await fetch(shellOf(), { signal: AbortSignal.timeout(kPatience), cache: "no-cache" });
-    if (page.ok) await keep(page).catch(() => undefined); // no room: the page itself is there
+    await keep(page).catch(() => undefined); // no room, or a refusal: what the server says is shown
     return page;
   } catch (error) {
     const kept = await (await caches.open(kCache)).match(shellOf());

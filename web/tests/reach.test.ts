@@ -39,10 +39,35 @@ describe("the reach of a server", () => {
     expect([f.asked(), f.lost()]).toEqual([3, 0]);
   });
 
-  it("is lost when a question fails, and told of each time", async () => {
+  it("is lost when two questions in a row fail, and told of each that follows", async () => {
     const f = fixture(() => Promise.reject(new TypeError("Failed to fetch")));
-    for (let i = 0; i < 3; i++) await f.tick();
-    expect([f.asked(), f.lost()]).toEqual([3, 3]);
+    await f.tick();
+    expect(f.lost()).toBe(0);
+    for (let i = 0; i < 2; i++) await f.tick();
+    expect([f.asked(), f.lost()]).toEqual([3, 2]);
+  });
+
+  it("is there when a single one fails between two that are answered", async () => {
+    let fails = false;
+    const f = fixture(() => ((fails = !fails) ? Promise.reject(new TypeError("Failed to fetch")) : Promise.resolve(new Response(""))));
+    for (let i = 0; i < 6; i++) await f.tick();
+    expect([f.asked(), f.lost()]).toEqual([6, 0]);
+  });
+
+  it("is not lost by a question during which nobody saw the page", async () => {
+    let seen = true;
+    const f = fixture(
+      () => {
+        seen = false;
+        return Promise.reject(new TypeError("aborted"));
+      },
+      () => seen,
+    );
+    for (let i = 0; i < 3; i++) {
+      seen = true;
+      await f.tick();
+    }
+    expect([f.asked(), f.lost()]).toEqual([3, 0]);
   });
 
   it("has one question at a time", async () => {

@@ -6,8 +6,8 @@ import { overridable } from "../../shared/control/jog";
 import { isObject } from "../../shared/json";
 import { api, useRefusal, useSession } from "../client";
 
-/** After the last movement of the slider [ms], so that not each one is a call. */
-const kSettle = 150;
+/** Between two calls while the slider is moved [ms]; the last one comes in any case. */
+const kPace = 150;
 const kSteps = { least: 0, most: 1, step: 0.05 } as const;
 
 export function SpeedOverride() {
@@ -15,8 +15,7 @@ export function SpeedOverride() {
   const refusal = useRefusal("set_speed");
   const [share, setShare] = useState<number>();
   const [problem, setProblem] = useState<string>();
-  const timer = useRef<ReturnType<typeof setTimeout>>(undefined);
-  useEffect(() => () => clearTimeout(timer.current), []);
+  const pace = useRef<{ readonly timer: ReturnType<typeof setTimeout>; waiting?: number }>(undefined);
   const isThere = useSession((now) => now.connection === "open");
   useEffect(() => {
     if (robot === undefined || !isThere) return;
@@ -29,18 +28,25 @@ export function SpeedOverride() {
     );
   }, [robot, isThere]);
   if (robot === undefined) return null;
+  const call = (next: number) => {
+    const timer = setTimeout(() => {
+      const { waiting } = pace.current ?? {};
+      pace.current = undefined;
+      if (waiting !== undefined) call(waiting);
+    }, kPace);
+    pace.current = { timer };
+    controls.call(robot, "speed_override", { share: next }).then(
+      () => setProblem(undefined),
+      (error: unknown) => {
+        setProblem(messageOf(error));
+        setShare(undefined);
+      },
+    );
+  };
   const change = (next: number) => {
     setShare(next);
-    clearTimeout(timer.current);
-    timer.current = setTimeout(() => {
-      controls.call(robot, "speed_override", { share: next }).then(
-        () => setProblem(undefined),
-        (error: unknown) => {
-          setProblem(messageOf(error));
-          setShare(undefined);
-        },
-      );
-    }, kSettle);
+    if (pace.current === undefined) call(next);
+    else pace.current.waiting = next;
   };
   const text = share === undefined ? "not known" : share === 0 ? "it waits on its way" : `${Math.round(share * 100)} %`;
   return (

@@ -64,7 +64,7 @@ export function createHeldMotion({ call, every, onRefused, onDone }: HeldMotionO
     const called = held;
     if (called === undefined) return;
     if (unanswered >= kMostUnanswered) {
-      if (++late >= kMostLate) give("the server does not answer");
+      if (!called.repeats || ++late >= kMostLate) give("the server does not answer");
       return;
     }
     late = 0;

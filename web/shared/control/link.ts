@@ -47,8 +47,9 @@ export class CallError extends Error {
   }
 }
 
-/** The server takes 16; more than these mean that it does not answer. */
-export const kMostCalls = 8;
+/** The server takes these; more than the half of them mean that it does not answer. */
+export const kMostServed = 16;
+export const kMostCalls = kMostServed / 2;
 /** Share of the time that the server expects between two signs of life. */
 const kEarly = 0.8;
 
@@ -190,7 +191,8 @@ export function createControlLink({ open, now, every, onChange }: LinkOptions) {
     /** Calls an operation by hand. Rejects with a CallError. */
     call(service: string, operation: string, kwargs: Readonly<Record<string, JsonValue>> = {}): Promise<JsonValue> {
       if (state.kind !== "held") return Promise.reject(new CallError("leased", "take the controls first"));
-      if (pending.size >= kMostCalls) return Promise.reject(new CallError("too_large", "the server does not answer"));
+      // What stops has more room.
+      if (pending.size >= (operation === "stop" ? kMostServed : kMostCalls)) return Promise.reject(new CallError("too_large", "the server does not answer"));
       const number = ++calls;
       return new Promise<JsonValue>((resolve, reject) => {
         pending.set(number, { resolve, reject });

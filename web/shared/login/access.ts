@@ -114,6 +114,8 @@ export function createAccess({ base, fetcher, tokens, onChange, onOtherLogin }: 
     /** With a code that somebody who is logged in has shown this device: once. Throws a LoginError. */
     async pair(code: string): Promise<PairAnswer> {
       const paired = check(schema.pairAnswer, await enter("pair", { code }));
+      // What the device was before, it is no more.
+      if (tokens.read() !== undefined) await authorized(`${base}/logout`, { method: "POST" }).catch(() => undefined);
       tokens.write(paired.token);
       await ask();
       return paired;

@@ -112,6 +112,14 @@ describe("a button that is held until the arm has arrived", () => {
     expect([f.done(), f.motion.isMoving(), f.calls.length]).toEqual([1, false, 1]);
   });
 
+  it("is refused at once while the server is late: it would be called no more", async () => {
+    const f = fixture(() => new Promise(() => undefined));
+    f.motion.start(kGuiding);
+    for (let i = 0; i < kMostUnanswered; i++) await f.tick();
+    f.motion.start(goingTo(target, 0.1));
+    expect([f.refused, f.motion.isMoving()]).toEqual([["the server does not answer"], false]);
+  });
+
   it("stops when it is let go on the way, and the answer to that is no news", async () => {
     let fail: (error: Error) => void = () => undefined;
     const f = fixture(() => new Promise<void>((_, reject) => (fail = reject)));

@@ -1,6 +1,6 @@
 // The controls as a page takes, holds, gives back and loses them.
 import { describe, expect, it } from "vitest";
-import { CallError, controlUrl, createControlLink, kMostCalls, type LinkState, type SocketHandlers } from "../../shared/control/link";
+import { CallError, controlUrl, createControlLink, kMostCalls, kMostServed, type LinkState, type SocketHandlers } from "../../shared/control/link";
 
 const kTaken = { kind: "taken", number: 3, secret: "control_abc", beat_ms: 100, silence_ms: 250 };
 
@@ -207,9 +207,12 @@ describe("a call by hand", () => {
     const f = fixture();
     await expect(f.link.call("robot", "stop")).rejects.toMatchObject({ code: "leased" });
     await f.hold();
-    const calls = Array.from({ length: kMostCalls + 1 }, () => f.link.call("robot", "stop").catch((error: unknown) => (error instanceof CallError ? error.code : "")));
+    const calls = Array.from({ length: kMostCalls + 1 }, () => f.link.call("robot", "jog").catch((error: unknown) => (error instanceof CallError ? error.code : "")));
     expect(f.sent).toHaveLength(kMostCalls);
     expect(await calls.at(-1)).toBe("too_large");
+    const stops = Array.from({ length: kMostServed - kMostCalls + 1 }, () => f.link.call("robot", "stop").catch((error: unknown) => (error instanceof CallError ? error.code : "")));
+    expect(f.sent, "what stops has more room").toHaveLength(kMostServed);
+    expect(await stops.at(-1)).toBe("too_large");
     f.last().handlers.onClose();
     expect(await Promise.all(calls.slice(0, -1))).toEqual(Array(kMostCalls).fill("leased"));
   });
