@@ -301,7 +301,7 @@ describe("the run of an application", () => {
 });
 
 describe("a taught pose", () => {
-  it("is offered to who has had the controls, who sees the arm there", async () => {
+  it("is offered without the controls of the cell, and the arm is seen there", async () => {
     const joints = [0.4, -0.35, 0, 1.6, 0, -1.19, 0];
     const pose = JSON.stringify({ pose: { position: [0.5, 0.2, 0.3], orientation: [1, 0, 0, 0] }, q: joints });
     await fixture.send("PUT", "/documents/teach", { rcm: 1, services: { db: "database" }, root: { state: "Teach", entry: `svc.db.add('pose_left', ${pose})`, ports: [{ name: "success", when: "svc.db.add.result" }] } });
@@ -310,26 +310,36 @@ describe("a taught pose", () => {
     await page.goto(`${fixture.url}/one/?edit=sort-parts`);
     await card("Move to").click();
     expect(await panel().getByRole("button", { name: "Show the arm there" }).isDisabled()).toBe(true);
-    await page.getByRole("button", { name: "Take the controls" }).click();
     await panel().getByLabel("Place", { exact: true }).selectOption({ label: "left" });
     await card("Move to").getByText("left").waitFor();
     await panel().getByRole("button", { name: "Show the arm there" }).click();
     await panel().getByText("The arm at “left”. It does not move.").waitFor();
     await panel().locator("canvas").waitFor();
     await panel().locator("canvas").scrollIntoViewIfNeeded();
-    // It is drawn without a graphics card here, for which a page may lose the controls.
     await page.waitForTimeout(1000);
     await fixture.screenshot("one-pose");
+  });
+});
+
+describe("a phone", () => {
+  it("is paired by a code on this page", async () => {
+    await page.getByRole("button", { name: "Pair a phone" }).click();
+    const dialog = page.getByRole("dialog", { name: "Pair a phone" });
+    await dialog.getByLabel("Name of the display").waitFor();
+    await fixture.screenshot("one-pairing");
+    expect(await faults(page)).toEqual([]);
+    await dialog.getByRole("button", { name: "Close" }).click();
+    await dialog.waitFor({ state: "detached" });
   });
 });
 
 describe("the demonstrator", () => {
   it("is two tasks to look at (thesis, Fig. A.3), and the menu of SearchObject changes its labels", async () => {
     await page.goto(`${fixture.url}/one/?edit=demonstrator`);
-    await task("Calibration").waitFor();
-    expect(await titles(task("Table").locator("> ol"))).toEqual(["Take out", "Aside", "Place area", "Say", "Search object", "Work"]);
+    await task("Calibrate the camera").waitFor();
+    expect(await titles(task("Clear the table").locator("> ol"))).toEqual(["Take out", "Aside", "Place area", "Say", "Search a part, with gestures", "Work"]);
     expect(await page.getByRole("button", { name: /Add a (task|skill)/ }).count()).toBe(0);
-    await card("Search object").first().click();
+    await card("Search a part, with gestures").first().click();
     await expect.poll(() => new URL(page.url()).searchParams.get("step")).not.toBeNull();
     await panel().getByRole("checkbox", { name: "Box", exact: true }).uncheck();
     await panel().getByRole("checkbox", { name: "Bar", exact: true }).uncheck();
@@ -345,7 +355,7 @@ describe("the demonstrator", () => {
     await page.getByRole("button", { name: "Run", exact: true }).click();
     await fixture.send("POST", `/cores/${id}/start`);
     await expect.poll(() => status().innerText()).toBe("Running");
-    await page.getByText("Table", { exact: true }).waitFor();
+    await page.getByText("Clear the table", { exact: true }).waitFor();
     const state = (await fixture.send("GET", `/cores/${id}/state`)) as { readonly state: { readonly parameters: Readonly<Record<string, Readonly<Record<string, unknown>>>> } };
     expect(state.state.parameters["Demonstrator/Table"]?.["labels"]).toEqual(["Cube", "Block", "Tape"]);
     await fixture.send("POST", `/cores/${id}/stop`);
@@ -357,7 +367,7 @@ describe("the demonstrator", () => {
     await settled(page);
     expect(new URL(page.url()).searchParams.get("edit")).toBe("demonstrator");
     await page.getByRole("link", { name: "One", exact: true }).click();
-    await task("Table").waitFor();
+    await task("Clear the table").waitFor();
   });
 });
 

@@ -27,7 +27,8 @@ export const useSession = <T>(select: (state: Session) => T): T => useSelected(s
 
 export const { login, access, fetchWithControls, api, ownControls, ownStream } = createAccount(() => stream?.reopen());
 export const useLogin = <T>(select: (access: Access) => T): T => useSelected(login, select);
-export const { refusalNow, useRefusal, useRefusalOfCommand, useRefusalToStart } = createRights(login);
+export const rights = createRights(login);
+export const { useRefusal, useRefusalOfCommand, useRefusalToStart } = rights;
 
 let stream: Stream | undefined;
 

@@ -1,11 +1,10 @@
 // The frame of the page: what is above on all views, and the view.
 import { Login } from "../display/Login";
 import { ControlBar } from "../control/ControlBar";
-import { refusalTo, type Doing } from "../shared/login/doings";
 import { StoppedBanner } from "../stop/StoppedBanner";
 import { Applications } from "./Applications";
 import { Build } from "./Build";
-import { access, logIn, ownControls, session, useLogin, useSession } from "./client";
+import { access, logIn, ownControls, session, useLogin, useRefusal, useSession } from "./client";
 import { Head } from "./Head";
 import { usePlace } from "./place";
 import { RunView } from "./run/RunView";
@@ -23,20 +22,16 @@ export function FirstLogin() {
   return asked ? <Login logIn={logIn} /> : null;
 }
 
-function useRefused(doing: Doing): string | undefined {
-  const account = useLogin((login) => refusalTo(login.me, doing));
-  const lost = useSession((s) => s.connection !== "open");
-  return lost ? "the server is not there" : account;
-}
-
 function Page() {
   const [edit, view] = [usePlace((place) => place.edit), usePlace((place) => place.view)];
   const lost = useSession((s) => s.connection === "lost");
+  const away = useSession((s) => (s.connection === "open" ? undefined : "the server is not there"));
+  const [reset, take, answer] = [useRefusal("reset_stop"), useRefusal("take_controls"), useRefusal("answer_control")];
   return (
     <div className={`one${lost ? " is-lost" : ""}`}>
       <Head />
-      <StoppedBanner refusal={useRefused("reset_stop")} fetcher={access.fetch} />
-      <ControlBar always address={ownControls} refusal={useRefused("take_controls")} refusalToAnswer={useRefused("answer_control")} fetcher={access.fetch} />
+      <StoppedBanner refusal={away ?? reset} fetcher={access.fetch} />
+      <ControlBar always address={ownControls} refusal={away ?? take} refusalToAnswer={away ?? answer} fetcher={access.fetch} />
       {lost && (
         <p className="notice is-bad" role="alert">
           The server is not there. The page tries again; what you change now is sent when it is back.

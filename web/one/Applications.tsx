@@ -2,9 +2,8 @@
 import { useEffect, useId, useState, type SubmitEvent } from "react";
 import { namesOf } from "../shared/documents/listed";
 import { freeDocumentName, newDocumentText } from "../shared/documents/names";
-import { refusalTo } from "../shared/login/doings";
 import { counted } from "../shared/counted";
-import { api, attempt, loadDocuments, useLogin, useSession } from "./client";
+import { api, attempt, loadDocuments, useRefusal, useSession } from "./client";
 import { author } from "./own";
 import { go } from "./place";
 
@@ -49,7 +48,7 @@ const nameFrom = (typed: string): string => typed.normalize("NFD").replace(/[^A-
 function NewApplication() {
   const id = useId();
   const documents = useSession((s) => s.documents);
-  const refusal = useLogin((login) => refusalTo(login.me, "store_document"));
+  const refusal = useRefusal("store_document");
   const offline = useSession((s) => s.connection !== "open");
   const [typed, setTyped] = useState("");
   const make = (event: SubmitEvent) => {

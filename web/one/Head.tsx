@@ -3,6 +3,7 @@ import { ThemeButton } from "../pro/theme/ThemeButton";
 import { applicationTitle } from "../shared/timeline/read";
 import { useSession } from "./client";
 import { takeBack, useEditing, useTree } from "./editing";
+import { PairPhone } from "./PairPhone";
 import { go, usePlace } from "./place";
 
 export function Head() {
@@ -38,6 +39,7 @@ export function Head() {
       )}
       <span className="head-end">
         <a href={edit === undefined ? "/pro/" : `/pro/?edit=${encodeURIComponent(edit)}`}>{edit === undefined ? "RACE Pro" : "Open in Pro"}</a>
+        <PairPhone />
         <Connection />
         <ThemeButton />
       </span>

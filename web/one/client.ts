@@ -1,6 +1,7 @@
 // The page's one connection to the server: what it knows of runs and services, and the requests that it makes.
 import type { CellPose, Core } from "../generated/messages";
 import { controls } from "../control/page";
+import { createRights } from "../page/rights";
 import { createStore, slowly, useSelected } from "../page/store";
 import { createApi } from "../shared/api";
 import { withControls } from "../shared/control/header";
@@ -25,6 +26,8 @@ export const useSession = <T>(select: (state: Session) => T): T => useSelected(s
 const login = createStore<Access, Access>({ asked: false }, (_, next) => next);
 export const useLogin = <T>(select: (access: Access) => T): T => useSelected(login, select);
 export const me = () => login.get().me;
+export const rights = createRights(login);
+export const { refusalNow, useRefusal, useRefusalOfCommand } = rights;
 export const access = createAccess({
   base: "/api/v1",
   fetcher: (input, init) => fetch(input, init),

@@ -7,9 +7,8 @@ import { readExact, type ExactJson } from "../shared/edit/exact";
 import type { EditSession } from "../shared/edit/session";
 import type { Tree } from "../shared/edit/tree";
 import { newId } from "../shared/newId";
-import { refusalTo } from "../shared/login/doings";
 import type { Supplies } from "../shared/timeline/changes/draft";
-import { listenToStream, me, session, api, watchApplication } from "./client";
+import { api, listenToStream, refusalNow, session, watchApplication } from "./client";
 import { author } from "./own";
 import { skillDocuments } from "./skills";
 
@@ -53,7 +52,7 @@ addEventListener("beforeunload", (event) => {
 /** Makes a change of the document as it is now. The id of what is to be selected then; nothing: it was refused, and that is told. */
 export function perform(make: (tree: Tree, supplies: Supplies) => Command): string | undefined {
   const tree = treeNow();
-  const refusal = refusalTo(me(), "edit");
+  const refusal = refusalNow("edit");
   if (tree === undefined || open === undefined) return undefined;
   const command = refusal === undefined ? make(tree, { newId, documents: skillDocuments() }) : { reason: refusal };
   if ("reason" in command) {

@@ -1,6 +1,7 @@
 // Entry of the novice page.
 import "@fontsource-variable/inter";
 import "../pro/styles/tokens.css";
+import "../pro/styles/pairing.css";
 import "../stop/tokens.css";
 import "../stop/stop.css";
 import "../control/control.css";

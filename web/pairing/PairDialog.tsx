@@ -38,12 +38,12 @@ export function PairDialog({ api, me, refusal, onClose }: Props) {
   return (
     <dialog ref={dialog} className="pairing" aria-label="Pair a phone" onClose={onClose} onClick={(event) => event.target === event.currentTarget && onClose()} onKeyDown={(event) => event.stopPropagation()}>
       <div className="pairing-body">
-        <header>
+        <div className="pairing-head">
           <h2>Pair a phone</h2>
           <button type="button" aria-label="Close" onClick={onClose}>
             ✕
           </button>
-        </header>
+        </div>
         <p>The phone becomes a display, where tasks show messages and ask questions, and a teach pendant, by which the robot is moved by hand and tasks are started.</p>
         <div className="pairing-fields">
           <label>

@@ -31,6 +31,7 @@ import "./styles/versions.css";
 import "./styles/comments.css";
 import "./styles/debugger.css";
 import "./styles/start.css";
+import "./styles/pairing.css";
 import "./styles/login.css";
 import "../stop/tokens.css";
 import "../stop/stop.css";

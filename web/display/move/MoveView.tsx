@@ -1,27 +1,28 @@
 // The robot is moved by hand: what is missing for it, or how it is moved.
+import { Before } from "../../control/Before";
 import { GripperButtons } from "../../control/GripperButtons";
+import { GuidePart } from "../../control/GuidePart";
+import { JogPart } from "../../control/JogPart";
+import { SpeedSlider } from "../../control/SpeedSlider";
 import { movableOf } from "../../shared/control/jog";
 import { kMovePartNames, kMoveParts } from "../../shared/pendant/view";
 import { useRefusal, useSession } from "../client";
 import { goTo, usePlace } from "../place";
-import { Before } from "./Before";
-import { GuidePart } from "./GuidePart";
-import { JogPart } from "./JogPart";
+import { hand } from "./hand";
 import { PosesPart } from "./PosesPart";
-import { SpeedSlider } from "./SpeedSlider";
-import { useMoving } from "./moving";
+import { SavePose } from "./SavePose";
 
 export function MoveView() {
   const services = useSession((now) => now.services);
   const part = usePlace((place) => place.part);
   const refusal = useRefusal("move_by_hand");
-  const refused = useMoving((now) => now.refused);
+  const refused = hand.useMoving((now) => now.refused);
   const { robot, gripper } = movableOf(services);
   if (robot === undefined && gripper === undefined) return <p className="empty">Nothing here can be moved by hand: no robot is connected to the server.</p>;
   return (
     <div className="move">
       <h2 className="unseen">Move the robot by hand</h2>
-      {refusal !== undefined && <Before />}
+      {refusal !== undefined && <Before hand={hand} />}
       <div className="parts" role="group" aria-label="How to move">
         {kMoveParts.map((each) => (
           <button key={each} type="button" aria-pressed={each === part} onClick={() => goTo({ part: each })}>
@@ -34,8 +35,16 @@ export function MoveView() {
       </p>
       {robot !== undefined && (
         <>
-          {part === "hand" ? <GuidePart refusal={refusal} /> : part === "poses" ? <PosesPart refusal={refusal} /> : <JogPart kind={part} refusal={refusal} />}
-          {part !== "hand" && <SpeedSlider />}
+          {part === "hand" ? (
+            <GuidePart hand={hand} refusal={refusal}>
+              <SavePose />
+            </GuidePart>
+          ) : part === "poses" ? (
+            <PosesPart refusal={refusal} />
+          ) : (
+            <JogPart hand={hand} kind={part} refusal={refusal} />
+          )}
+          {part !== "hand" && <SpeedSlider hand={hand} />}
         </>
       )}
       {gripper !== undefined && <GripperButtons gripper={gripper} refusal={refusal} />}

@@ -3,29 +3,28 @@ import { useEffect, useState } from "react";
 import { HoldButton } from "../../control/HoldButton";
 import type { TaughtPose } from "../../shared/pendant/poses";
 import { useRefusal } from "../client";
-import { loadPoses, removePose, usePoses } from "./poses";
-import { moving } from "./moving";
+import { hand } from "./hand";
 import { SavePose } from "./SavePose";
 
 export function PosesPart({ refusal }: { readonly refusal: string | undefined }) {
-  const poses = usePoses((now) => now.poses);
-  const problem = usePoses((now) => now.problem);
-  const isLoaded = usePoses((now) => now.isLoaded);
-  useEffect(loadPoses, []);
+  const saved = hand.usePoses((now) => now.poses);
+  const problem = hand.usePoses((now) => now.problem);
+  const isLoaded = hand.usePoses((now) => now.isLoaded);
+  useEffect(hand.poses.load, []);
   return (
     <div className="poses">
       <SavePose />
       {problem !== undefined && (
         <p className="is-bad" role="alert">
           The poses cannot be read: {problem}.{" "}
-          <button type="button" className="plain" onClick={loadPoses}>
+          <button type="button" className="plain" onClick={hand.poses.load}>
             Try again
           </button>
         </p>
       )}
-      {isLoaded && poses.length === 0 && <p className="empty">No pose is saved yet. Move the arm to a place that matters, then save it here; tasks use it by its name.</p>}
+      {isLoaded && saved.length === 0 && <p className="empty">No pose is saved yet. Move the arm to a place that matters, then save it here; tasks use it by its name.</p>}
       <ul aria-label="Saved poses">
-        {poses.map((pose) => (
+        {saved.map((pose) => (
           <PoseRow key={pose.name} pose={pose} refusal={refusal} />
         ))}
       </ul>
@@ -41,7 +40,7 @@ function PoseRow({ pose, refusal }: { readonly pose: TaughtPose; readonly refusa
     <li>
       <div className="pose-row">
         <b>{pose.name}</b>
-        <HoldButton name={`Go to ${pose.name}`} className="is-go" title="The arm goes there while it is held, straight in its joints; it avoids nothing" refusal={refusal} onBegin={() => moving.goTo(pose.q)} onEnd={moving.end}>
+        <HoldButton name={`Go to ${pose.name}`} className="is-go" title="The arm goes there while it is held, straight in its joints; it avoids nothing" refusal={refusal} onBegin={() => hand.moving.goTo(pose.q)} onEnd={hand.moving.end}>
           Hold to go
         </HoldButton>
         <button type="button" className="plain is-small" aria-label={`Remove ${pose.name}`} aria-expanded={asks} disabled={cannot !== undefined} title={cannot} onClick={() => setAsks(!asks)}>
@@ -51,7 +50,7 @@ function PoseRow({ pose, refusal }: { readonly pose: TaughtPose; readonly refusa
       {asks && (
         <p className="pose-ask">
           <span>Tasks that use it will not find it.</span>
-          <button type="button" className="plain" onClick={() => void removePose(pose.name).then(setProblem)}>
+          <button type="button" className="plain" onClick={() => void hand.poses.remove(pose.name).then(setProblem)}>
             Remove {pose.name}
           </button>
         </p>

@@ -2,11 +2,11 @@
 import { useId, useState } from "react";
 import { freeName, isPoseName } from "../../shared/pendant/poses";
 import { useRefusal } from "../client";
-import { savePose, usePoses } from "./poses";
+import { hand } from "./hand";
 
 export function SavePose() {
   const refusal = useRefusal("call_service");
-  const names = usePoses((now) => now.poses.map(({ name }) => name).join(" "));
+  const names = hand.usePoses((now) => now.poses.map(({ name }) => name).join(" "));
   const proposed = freeName(names.split(" "));
   const [entry, setEntry] = useState<string>();
   const [said, setSaid] = useState<{ readonly text: string; readonly isBad: boolean }>();
@@ -17,7 +17,7 @@ export function SavePose() {
   const isTaken = names.split(" ").includes(name);
   const save = async () => {
     setBusy(true);
-    const problem = await savePose(name);
+    const problem = await hand.poses.save(name);
     setBusy(false);
     setSaid(problem === undefined ? { text: `Saved as ${name}.`, isBad: false } : { text: `Not saved: ${problem}.`, isBad: true });
     if (problem === undefined) setEntry(undefined);

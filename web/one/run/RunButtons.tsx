@@ -1,9 +1,6 @@
 // Begins, holds and ends the run.
-import { refusalTo, doingOfCommand } from "../../shared/login/doings";
 import { allowed, kEffects, type Command } from "../../shared/run/controls";
-import { refusalOfCommand } from "../../shared/stop/refusals";
-import { useStop } from "../../stop/useStop";
-import { api, attempt, session, useCore, useLogin, useSession } from "../client";
+import { api, attempt, session, useCore, useRefusalOfCommand, useSession } from "../client";
 import { useEditing } from "../editing";
 import { useProblems } from "../model";
 import { go } from "../place";
@@ -60,9 +57,7 @@ interface ButtonProps {
 }
 
 function RunButton({ command, name, hint, isMain = false, disabled, act }: ButtonProps) {
-  const account = useLogin((login) => refusalTo(login.me, doingOfCommand[command]));
-  const stop = useStop((now) => refusalOfCommand(now, command));
-  const refusal = account ?? stop;
+  const refusal = useRefusalOfCommand(command);
   return (
     <>
       <button type="button" className={isMain ? "main" : ""} disabled={disabled || refusal !== undefined} title={refusal ?? hint} onClick={act}>

@@ -1,9 +1,8 @@
 // This page as the display `one`: what tasks show and ask is shown and answered on its run view.
 import { applyDisplayEvent, canAnswer, firstPage, type DisplayEvent, type DisplayPage } from "../../shared/display/page";
 import { createStore, useSelected } from "../../page/store";
-import { refusalTo } from "../../shared/login/doings";
 import { openStream, streamUrl, type Stream } from "../../shared/stream";
-import { access, me } from "../client";
+import { access, refusalNow } from "../client";
 
 export const kDisplay = "one";
 
@@ -14,7 +13,7 @@ let stream: Stream | undefined;
 
 /** From now on, until the result is called. A page of who may not answer is no display. */
 export function becomeDisplay(): () => void {
-  if (refusalTo(me(), "be_display") !== undefined) return () => undefined;
+  if (refusalNow("be_display") !== undefined) return () => undefined;
   const opened = openStream(() => access.streamUrl(streamUrl(location)), {
     onConnection: (connection) => store.dispatch({ type: "connection", connection }),
     onMalformed: (error) => store.dispatch({ type: "problem", text: error.message }),

@@ -20,7 +20,7 @@ interface Props {
 const kOther = "";
 
 export function PoseField({ id, label, disabled, value, set }: Props) {
-  const { names, joints } = usePoses();
+  const { names, joints, problem } = usePoses();
   const known = value === undefined ? undefined : joints?.get(value);
   const [typed, setTyped] = useState<string>();
   const [shows, setShows] = useState(false);
@@ -61,7 +61,7 @@ export function PoseField({ id, label, disabled, value, set }: Props) {
           {shows ? "Hide the arm" : "Show the arm there"}
         </button>
       )}
-      {joints === undefined && <p className="doc">Take the controls of the cell to see all poses that were taught, and the arm there.</p>}
+      {problem !== undefined && <p className="problem">The taught poses cannot be read: {problem}.</p>}
       {joints !== undefined && value !== undefined && known === undefined && <p className="problem">Nobody has taught this pose yet.</p>}
       {shows && known !== undefined && value !== undefined && (
         <Suspense fallback={<p className="doc">Loading the view…</p>}>

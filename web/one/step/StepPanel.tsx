@@ -1,10 +1,9 @@
 // What is selected: its parameters, what is done if it fails, and what can be done with it.
 import { useState } from "react";
-import { refusalTo } from "../../shared/login/doings";
 import type { Application } from "../../shared/timeline/read";
 import { renameStep } from "../../shared/timeline/changes/steps";
 import type { Step, TimeLine } from "../../shared/timeline/timeLine";
-import { useLogin } from "../client";
+import { useRefusal } from "../client";
 import { perform } from "../editing";
 import { useProblems } from "../model";
 import { Picture } from "../Picture";
@@ -20,7 +19,7 @@ interface Props {
 }
 
 export function StepPanel({ step, line, application }: Props) {
-  const refusal = useLogin((login) => refusalTo(login.me, "edit"));
+  const refusal = useRefusal("edit");
   const isEditable = line.form === "editable" && refusal === undefined;
   return (
     <>

@@ -1,7 +1,6 @@
 // A task that is selected: its name, and what can be done with it.
-import { refusalTo } from "../../shared/login/doings";
 import type { Step, TimeLine } from "../../shared/timeline/timeLine";
-import { useLogin } from "../client";
+import { useRefusal } from "../client";
 import { FailureField } from "./FailureField";
 import { ParameterField } from "./ParameterField";
 import { ownerOf, TitleField } from "./StepPanel";
@@ -15,7 +14,7 @@ interface Props {
 }
 
 export function TaskPanel({ step, line, isEditable }: Props) {
-  const refusal = useLogin((login) => refusalTo(login.me, "edit"));
+  const refusal = useRefusal("edit");
   const disabled = refusal !== undefined || !isEditable;
   return (
     <>
