@@ -5,10 +5,13 @@ import type { Api } from "../shared/api";
 import { movableOf } from "../shared/control/jog";
 import type { JsonValue } from "../shared/json";
 import { messageOf } from "../shared/messageOf";
-import { keyOfPose, kPosePrefix, poseNames, readPose, type TaughtPose } from "../shared/pendant/poses";
+import { keyOfPose, kMostPoses, kPosePrefix, poseNames, readPose, type TaughtPose } from "../shared/pendant/poses";
 
 export interface PosesState {
+  /** The first kMostPoses of those that the arm can go to. */
   readonly poses: readonly TaughtPose[];
+  /** Of all that are there, also of what is none. */
+  readonly names: readonly string[];
   readonly isLoaded: boolean;
   /** Why they could not be read. */
   readonly problem: string | undefined;
@@ -22,20 +25,22 @@ export interface PosesOptions {
 const kDatabase = "db";
 
 export function createPoses({ api, services }: PosesOptions) {
-  const store = createStore<PosesState, Partial<PosesState>>({ poses: [], isLoaded: false, problem: undefined }, (now, change) => ({ ...now, ...change }));
+  const store = createStore<PosesState, Partial<PosesState>>({ poses: [], names: [], isLoaded: false, problem: undefined }, (now, change) => ({ ...now, ...change }));
   const call = (operation: string, kwargs: Readonly<Record<string, JsonValue>>): Promise<JsonValue> => api.callService(kDatabase, operation, kwargs);
 
-  async function read(): Promise<readonly TaughtPose[]> {
+  async function read(): Promise<Pick<PosesState, "poses" | "names">> {
     const poses: TaughtPose[] = [];
-    for (const name of poseNames(await call("list", { prefix: kPosePrefix }))) {
+    const names = poseNames(await call("list", { prefix: kPosePrefix }));
+    for (const name of names) {
+      if (poses.length >= kMostPoses) break;
       const pose = readPose(name, await call("get", { key: keyOfPose(name) }).catch(() => null));
       if (pose !== undefined) poses.push(pose);
     }
-    return poses;
+    return { poses, names };
   }
   const load = (): Promise<void> =>
     read().then(
-      (poses) => store.dispatch({ poses, isLoaded: true, problem: undefined }),
+      (found) => store.dispatch({ ...found, isLoaded: true, problem: undefined }),
       (error: unknown) => store.dispatch({ isLoaded: true, problem: messageOf(error) }),
     );
 
@@ -54,9 +59,14 @@ export function createPoses({ api, services }: PosesOptions) {
     store,
     /** Reads them anew; what is in the way is in the store. */
     load: (): void => void load(),
-    /** Where the arm is now, under this name; an old pose of that name is replaced. Says what was in the way. */
-    save: (name: string): Promise<string | undefined> =>
+    /** Where the arm is now, under this name; `replaces`: in place of the pose of that name. Says what was in the way. */
+    save: (name: string, replaces = false): Promise<string | undefined> =>
       change(async () => {
+        // Somebody may have saved one since this page has read them.
+        if (!replaces && poseNames(await call("list", { prefix: keyOfPose(name) })).includes(name)) {
+          await load();
+          throw new Error(`${name} is there already`);
+        }
         const { robot } = movableOf(services());
         if (robot === undefined) throw new Error("no robot is there");
         const { pose, q } = (await api.callService(robot, "state", {})) as { readonly pose: JsonValue; readonly q: JsonValue };

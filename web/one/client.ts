@@ -1,43 +1,29 @@
 // The page's one connection to the server: what it knows of runs and services, and the requests that it makes.
 import type { CellPose, Core } from "../generated/messages";
-import { controls } from "../control/page";
+import { createAccount } from "../page/account";
 import { createRights } from "../page/rights";
 import { createStore, slowly, useSelected } from "../page/store";
-import { createApi } from "../shared/api";
-import { withControls } from "../shared/control/header";
-import { controlUrl } from "../shared/control/link";
 import { kNoPlaces } from "../shared/drawing/places";
 import { newestRun } from "../shared/live/shownRun";
-import { createAccess, type Access } from "../shared/login/access";
-import { storedTokens } from "../shared/login/tokens";
+import type { Access } from "../shared/login/access";
 import { messageOf } from "../shared/messageOf";
 import type { StreamUpdate } from "../shared/messages/stream";
 import { modelKey } from "../shared/run/edits";
 import { createModelLoader } from "../shared/session/modelLoader";
 import { applyEvent, emptySession, watchedCore, type Session, type SessionEvent } from "../shared/session/session";
 import { isUrgent } from "../shared/session/urgent";
-import { openStream, streamUrl, type Connection, type Stream } from "../shared/stream";
+import { openStream, type Connection, type Stream } from "../shared/stream";
 import { stop } from "../stop/page";
 
 export const session = createStore<Session, SessionEvent>(emptySession, applyEvent);
 const shownSession = slowly(session, isUrgent);
 export const useSession = <T>(select: (state: Session) => T): T => useSelected(shownSession, select);
 
-const login = createStore<Access, Access>({ asked: false }, (_, next) => next);
+export const { login, access, fetchWithControls: fetcher, api, ownControls, ownStream } = createAccount(() => stream?.reopen());
 export const useLogin = <T>(select: (access: Access) => T): T => useSelected(login, select);
 export const me = () => login.get().me;
 export const rights = createRights(login);
 export const { refusalNow, useRefusal, useRefusalOfCommand } = rights;
-export const access = createAccess({
-  base: "/api/v1",
-  fetcher: (input, init) => fetch(input, init),
-  tokens: storedTokens(() => localStorage, window),
-  onChange: (next) => login.dispatch(next),
-  onOtherLogin: () => stream?.reopen(),
-});
-export const fetcher = withControls(access.fetch, controls.secret);
-export const api = createApi("/api/v1", fetcher);
-export const ownControls = (): Promise<string> => access.streamUrl(controlUrl(location));
 
 export async function logIn(name: string, password: string): Promise<void> {
   await access.logIn(name, password);
@@ -85,7 +71,7 @@ export async function loadDocuments(): Promise<void> {
 
 /** To be called once; the connection stays until the page is closed. */
 export function connect(): void {
-  stream = openStream(() => access.streamUrl(streamUrl(location)), {
+  stream = openStream(ownStream, {
     onConnection: (connection, ended) => {
       if (connection !== "connecting" && !access.get().asked) void access.ask().catch(() => undefined); // the account may have changed
       session.dispatch({ type: "connection", connection, ended });

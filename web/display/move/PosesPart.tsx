@@ -1,5 +1,5 @@
 // Taught poses: the arm goes to one while its button is held; one is replaced or removed after a second tap.
-import { useEffect, useState } from "react";
+import { useState } from "react";
 import { HoldButton } from "../../control/HoldButton";
 import type { TaughtPose } from "../../shared/pendant/poses";
 import { useRefusal } from "../client";
@@ -10,7 +10,6 @@ export function PosesPart({ refusal }: { readonly refusal: string | undefined })
   const saved = hand.usePoses((now) => now.poses);
   const problem = hand.usePoses((now) => now.problem);
   const isLoaded = hand.usePoses((now) => now.isLoaded);
-  useEffect(hand.poses.load, []);
   return (
     <div className="poses">
       <SavePose />

@@ -55,7 +55,7 @@ function Where() {
   const [task, step] = [usePlace((place) => place.task), usePlace((place) => place.step)];
   if (application === undefined) return null;
   const where = whereToAdd(application, task, step);
-  return <p className="where">{where === undefined ? "The tasks here can only be read." : `Press a skill to add it ${where.text}.`}</p>;
+  return <p className="where">{where === undefined ? (application.isEditable ? "Add a task first." : "The tasks here can only be read.") : `Press a skill to add it ${where.text}.`}</p>;
 }
 
 function SkillCard({ skill }: { readonly skill: Offered }) {

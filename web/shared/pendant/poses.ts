@@ -4,7 +4,7 @@ import { kJoints } from "../control/jog";
 
 /** Of the keys in the database. */
 export const kPosePrefix = "pose_";
-/** So many are listed; what is more is in the database all the same. */
+/** So many are read and listed; what is more is in the database all the same. */
 export const kMostPoses = 100;
 
 export interface TaughtPose {
@@ -18,14 +18,13 @@ export const isPoseName = (name: string): boolean => /^[A-Za-z0-9_-]{1,32}$/.tes
 
 export const keyOfPose = (name: string): string => `${kPosePrefix}${name}`;
 
-/** The names of poses among keys of the database; in order, as people count. */
+/** The names of all poses among keys of the database; in order, as people count. */
 export const poseNames = (keys: JsonValue): readonly string[] =>
   !Array.isArray(keys)
     ? []
     : keys
         .flatMap((key: unknown) => (typeof key === "string" && key.startsWith(kPosePrefix) && isPoseName(key.slice(kPosePrefix.length)) ? [key.slice(kPosePrefix.length)] : []))
-        .sort((a, b) => a.localeCompare(b, "en", { numeric: true }))
-        .slice(0, kMostPoses);
+        .sort((a, b) => a.localeCompare(b, "en", { numeric: true }));
 
 /** The joints of a pose as the database has it; nothing: it has none that the arm can go to. */
 export function readPose(name: string, value: JsonValue): TaughtPose | undefined {

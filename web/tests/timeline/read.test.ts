@@ -133,8 +133,8 @@ const demonstrator = treeOf(readJson(new URL("../../../deploy/demo/demonstrator.
 test("the demonstrator is two tasks to be read (thesis, Fig. A.3)", () => {
   const { tasks, isEditable } = readApplication(demonstrator);
   expect(isEditable).toBe(false);
-  expect(tasks.map(({ title, inner }) => [title, inner?.form])).toEqual([["Calibration", "rich"], ["Table", "rich"]]);
-  expect(tasks[1]?.inner?.steps.map(({ title }) => title)).toEqual(["Take out", "Aside", "Place area", "Say", "Search object", "Work"]);
+  expect(tasks.map(({ title, inner }) => [title, inner?.form])).toEqual([["Calibrate the camera", "rich"], ["Clear the table", "rich"]]);
+  expect(tasks[1]?.inner?.steps.map(({ title }) => title)).toEqual(["Take out", "Aside", "Place area", "Say", "Search a part, with gestures", "Work"]);
   expect(tasks[1]?.inner?.again).toBe(tasks[1]?.inner?.steps[1]?.id);
   expect(reasonOf(removeStep(demonstrator, tasks[1]?.inner?.steps[4]?.id ?? "", supplies))).toContain("only be changed in RACE Pro");
 });
