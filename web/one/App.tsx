@@ -5,6 +5,7 @@ import { StoppedBanner } from "../stop/StoppedBanner";
 import { Applications } from "./Applications";
 import { Build } from "./Build";
 import { access, logIn, ownControls, session, useLogin, useRefusal, useSession } from "./client";
+import { Guide } from "./guide/Guide";
 import { Head } from "./Head";
 import { usePlace } from "./place";
 import { RunView } from "./run/RunView";
@@ -24,6 +25,7 @@ export function FirstLogin() {
 
 function Page() {
   const [edit, view] = [usePlace((place) => place.edit), usePlace((place) => place.view)];
+  const guide = usePlace((place) => place.guide);
   const lost = useSession((s) => s.connection === "lost");
   const away = useSession((s) => (s.connection === "open" ? undefined : "the server is not there"));
   const [reset, take, answer] = [useRefusal("reset_stop"), useRefusal("take_controls"), useRefusal("answer_control")];
@@ -38,7 +40,7 @@ function Page() {
         </p>
       )}
       <Problem />
-      {edit === undefined ? <Applications /> : view === "run" ? <RunView name={edit} /> : <Build name={edit} />}
+      {guide !== undefined ? <Guide step={guide} /> : edit === undefined ? <Applications /> : view === "run" ? <RunView name={edit} /> : <Build name={edit} />}
       <Told />
     </div>
   );

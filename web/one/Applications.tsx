@@ -6,6 +6,7 @@ import { counted } from "../shared/counted";
 import { api, attempt, loadDocuments, useRefusal, useSession } from "./client";
 import { author } from "./own";
 import { go } from "./place";
+import { texts } from "./texts";
 
 export function Applications() {
   const documents = useSession((s) => s.documents);
@@ -18,6 +19,13 @@ export function Applications() {
   return (
     <main className="applications">
       <h1>What shall the robot do?</h1>
+      <section className="guide-offer" aria-label={texts.offer.title}>
+        <h2>{texts.offer.title}</h2>
+        <p>{texts.offer.about}</p>
+        <button type="button" className="main" onClick={() => go({ guide: "cell" })}>
+          {texts.offer.begin}
+        </button>
+      </section>
       <NewApplication />
       <h2>Your applications</h2>
       {documents.length === 0 && <p className="quiet">{isHere ? "There are none yet: make the first one above." : "Asking the server…"}</p>}

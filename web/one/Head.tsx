@@ -3,12 +3,14 @@ import { ThemeButton } from "../pro/theme/ThemeButton";
 import { applicationTitle } from "../shared/timeline/read";
 import { useSession } from "./client";
 import { takeBack, useEditing, useTree } from "./editing";
+import { leaveGuide } from "./guide/steps";
 import { PairPhone } from "./PairPhone";
 import { go, usePlace } from "./place";
 
 export function Head() {
   const edit = usePlace((place) => place.edit);
   const view = usePlace((place) => place.view);
+  const guide = usePlace((place) => place.guide);
   const tree = useTree();
   const title = tree === undefined ? edit : (applicationTitle(tree) ?? edit);
   return (
@@ -18,12 +20,12 @@ export function Head() {
         href="/one/"
         onClick={(event) => {
           event.preventDefault();
-          go({ edit: undefined, task: undefined, step: undefined, view: "build" });
+          leaveGuide();
         }}
       >
         <b>RACE</b> One
       </a>
-      {edit !== undefined && (
+      {edit !== undefined && guide === undefined && (
         <>
           <h1>{title}</h1>
           <nav aria-label="Views">

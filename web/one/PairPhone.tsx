@@ -9,7 +9,7 @@ export function PairPhone() {
   const refusal = useRefusal("pair");
   return (
     <>
-      <button type="button" className="link" onClick={() => setAsked(true)}>
+      <button type="button" className="link pair" onClick={() => setAsked(true)}>
         Pair a phone
       </button>
       {isAsked && <PairDialog api={api} me={me} refusal={refusal} onClose={() => setAsked(false)} />}

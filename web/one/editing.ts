@@ -24,6 +24,26 @@ export const useEditing = <T>(select: (editing: Editing) => T): T => useSelected
 export const useTree = (): Tree | undefined => useEditing((now) => now.session?.view);
 export const treeNow = (): Tree | undefined => store.get().session?.view;
 
+export const toldNow = (): string | undefined => store.get().told?.text;
+
+/** Until this holds [ms]. */
+const kPatience = 15_000;
+
+/** When this holds of what is edited; rejects if it takes long. */
+export function untilEditing(holds: (editing: Editing) => boolean): Promise<void> {
+  return new Promise((resolve, reject) => {
+    const end = (act: () => void) => {
+      clearTimeout(late);
+      ended();
+      act();
+    };
+    const look = () => holds(store.get()) && end(resolve);
+    const late = setTimeout(() => end(() => reject(new Error("the server does not answer"))), kPatience);
+    const ended = store.listen(look);
+    look();
+  });
+}
+
 export const tell = (text: string | undefined, isRefusal = true): void => store.dispatch({ told: text === undefined ? undefined : { text, isRefusal } });
 
 let open: { readonly editor: Editor; readonly end: () => void } | undefined;

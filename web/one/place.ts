@@ -1,23 +1,35 @@
-// The place of the page in its address: `?edit=NAME` of the application, `task` and `step` of what is selected (ids), `#run` where the run is shown.
+// The place of the page in its address: `?edit=NAME` of the application, `task` and `step` of what is selected (ids), `#run` where the run is shown;
+// `guide` of the step of the guide, with the poses `part` and `place` that were taught in it.
 import { createStore, useSelected } from "../page/store";
 import { openApplication } from "./editing";
+
+/** The steps of the guide, in their order. */
+export const kGuideSteps = ["cell", "camera", "part", "place", "application", "run"] as const;
+export type GuideStep = (typeof kGuideSteps)[number];
 
 export interface Place {
   readonly edit: string | undefined;
   readonly task: string | undefined;
   readonly step: string | undefined;
   readonly view: "build" | "run";
+  readonly guide: GuideStep | undefined;
+  /** The pose at the part. */
+  readonly part: string | undefined;
+  /** The pose where it goes. */
+  readonly goal: string | undefined;
 }
+
+const guideIn = (text: string | undefined): GuideStep | undefined => kGuideSteps.find((step) => step === text);
 
 function read(): Place {
   const query = new URLSearchParams(location.search);
   const entry = (key: string) => query.get(key) ?? undefined;
-  return { edit: entry("edit"), task: entry("task"), step: entry("step"), view: location.hash === "#run" ? "run" : "build" };
+  return { edit: entry("edit"), task: entry("task"), step: entry("step"), view: location.hash === "#run" ? "run" : "build", guide: guideIn(entry("guide")), part: entry("part"), goal: entry("place") };
 }
 
-function addressOf({ edit, task, step, view }: Place): string {
+function addressOf({ edit, task, step, view, guide, part, goal }: Place): string {
   const query = new URLSearchParams();
-  for (const [key, value] of Object.entries({ edit, task, step })) if (value !== undefined) query.set(key, value);
+  for (const [key, value] of Object.entries({ guide, part, place: goal, edit, task, step })) if (value !== undefined) query.set(key, value);
   const text = query.toString();
   return `${text === "" ? location.pathname : `?${text}`}${view === "run" ? "#run" : ""}`;
 }
@@ -31,7 +43,7 @@ export function go(change: Partial<Place>): void {
   const before = store.get();
   const next = { ...before, ...change };
   if (addressOf(next) === addressOf(before)) return;
-  const isPage = next.edit !== before.edit || next.view !== before.view;
+  const isPage = next.edit !== before.edit || next.view !== before.view || next.guide !== before.guide;
   history[isPage ? "pushState" : "replaceState"](null, "", addressOf(next));
   store.dispatch(next);
   if (next.edit !== before.edit) openApplication(next.edit);

@@ -32,7 +32,7 @@ const kTelling = ["pose", "labels", "label", "texts", "text", "choice"] as const
 const kFew = 2;
 
 /** The value that says most; of a step that nobody has described, none but what it says or looks for. */
-function summaryOf({ parameters }: Step): string {
+export function summaryOf({ parameters }: Step): string {
   const shown = parameters.flatMap(({ about, value }) => (value.kind === "constant" && !about.internal && !about.advanced ? [{ about, value: value.value, kind: fieldOf(about, value.value).kind }] : []));
   const telling = kTelling.map((kind) => shown.find((each) => each.kind === kind)).find((each) => each !== undefined);
   const found = telling ?? (shown.length <= kFew ? shown.find(({ about }) => about.domain !== undefined) : undefined);

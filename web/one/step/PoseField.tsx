@@ -3,6 +3,8 @@ import { lazy, Suspense, useState } from "react";
 import type { ExactJson } from "../../shared/edit/exact";
 import { reasonAgainstPose } from "../../shared/skills/form";
 import { useSession } from "../client";
+import { Teach } from "../teach/Teach";
+import { texts } from "../texts";
 import { usePoses } from "./known";
 
 /** With the 3D view, which is large. */
@@ -24,6 +26,7 @@ export function PoseField({ id, label, disabled, value, set }: Props) {
   const known = value === undefined ? undefined : joints?.get(value);
   const [typed, setTyped] = useState<string>();
   const [shows, setShows] = useState(false);
+  const [teaches, setTeaches] = useState(false);
   const hasCell = useSession((s) => s.cell);
   const reason = typed === undefined || typed === "" ? undefined : reasonAgainstPose(typed);
   const choose = (name: string) => {
@@ -61,6 +64,12 @@ export function PoseField({ id, label, disabled, value, set }: Props) {
           {shows ? "Hide the arm" : "Show the arm there"}
         </button>
       )}
+      {!disabled && (
+        <button type="button" aria-expanded={teaches} onClick={() => setTeaches(!teaches)}>
+          {teaches ? texts.teach.close : texts.teach.open}
+        </button>
+      )}
+      {teaches && !disabled && <Teach onSaved={set} />}
       {problem !== undefined && <p className="problem">The taught poses cannot be read: {problem}.</p>}
       {joints !== undefined && value !== undefined && known === undefined && <p className="problem">Nobody has taught this pose yet.</p>}
       {shows && known !== undefined && value !== undefined && (

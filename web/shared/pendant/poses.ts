@@ -35,6 +35,18 @@ export function readPose(name: string, value: JsonValue): TaughtPose | undefined
 }
 
 /** A name that no pose has: `pose1`, `pose2`. */
-export function freeName(names: readonly string[]): string {
-  for (let number = 1; ; number++) if (!names.includes(`pose${number}`)) return `pose${number}`;
+export function freeName(names: readonly string[], stem = "pose"): string {
+  for (let number = 1; ; number++) if (!names.includes(`${stem}${number}`)) return `${stem}${number}`;
+}
+
+/** x, y, z in `o` [m]. */
+export type Position = readonly [number, number, number];
+
+/** Where the tool is in a pose as the database has it, or in the state of a robot. */
+export function positionIn(value: JsonValue): Position | undefined {
+  const pose: unknown = isObject(value) ? value["pose"] : undefined;
+  const position: unknown = typeof pose === "object" && pose !== null && "position" in pose ? pose.position : undefined;
+  if (!Array.isArray(position)) return undefined;
+  const [x, y, z] = position.filter((each: unknown): each is number => typeof each === "number" && Number.isFinite(each));
+  return x !== undefined && y !== undefined && z !== undefined ? [x, y, z] : undefined;
 }

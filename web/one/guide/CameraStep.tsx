@@ -1,0 +1,70 @@
+// The camera is calibrated by a run of the skill, unless that is done already or there is no camera.
+import { useEffect, useState } from "react";
+import { isOver } from "../../shared/run/controls";
+import { api, useCore, useSession } from "../client";
+import { useOffered } from "../library/offered";
+import { usePlace } from "../place";
+import { RunView } from "../run/RunView";
+import { loadSkills } from "../skills";
+import { texts } from "../texts";
+import { makeApplication } from "./make";
+import { useMaking } from "./useMaking";
+import { Ways } from "./Ways";
+
+const t = texts.camera;
+const kSkill = "CalibrateCamera";
+const kDocument = "calibrate-camera";
+/** Where the pose of the camera is kept (deploy/demo). */
+const kKey = "o_t_c";
+
+/** Whether it is known where the camera stands; nothing: not asked yet. */
+function useKnown(): boolean | undefined {
+  const core = useCore();
+  const over = core === undefined || isOver(core);
+  const [known, setKnown] = useState<boolean>();
+  useEffect(() => {
+    let isLate = false;
+    if (over)
+      void api.callService("db", "get", { key: kKey }).then(
+        () => isLate || setKnown(true),
+        () => isLate || setKnown(false),
+      );
+    return () => {
+      isLate = true;
+    };
+  }, [over]);
+  return known;
+}
+
+export function CameraStep() {
+  const edit = usePlace((place) => place.edit);
+  const documents = useSession((now) => now.documents);
+  const known = useKnown();
+  useEffect(() => void loadSkills(), [documents]);
+  const skill = useOffered().find(({ name }) => name === kSkill);
+  const { busy, problem, make } = useMaking(() => makeApplication(kDocument, t.task, [{ skill: kSkill, values: {} }]));
+  if (edit !== undefined)
+    return (
+      <>
+        <RunView name={edit} />
+        <div className="guided-body is-below">
+          {known !== true && <p className="doc">{t.skip}</p>}
+          <Ways step="camera" isReady />
+        </div>
+      </>
+    );
+  const missing = skill === undefined ? texts.cell.noSkills(t.task) : skill.missing;
+  return (
+    <main className="guided-body">
+      {known === undefined ? <p role="status">{t.asking}</p> : known ? <p>{t.known}</p> : missing !== undefined ? <p>{t.notNeeded(missing)}</p> : null}
+      {known === false && missing === undefined && (
+        <button type="button" className="main" disabled={busy} onClick={make}>
+          {busy ? t.making : t.begin}
+        </button>
+      )}
+      {problem !== undefined && <p className="problem" role="alert">{texts.problem(problem)}</p>}
+      {known === false && <p className="doc">{t.skip}</p>}
+      <Ways step="camera" isReady={!busy} />
+    </main>
+  );
+}
