@@ -8,7 +8,7 @@ export function SavePose() {
   const refusal = useRefusal("call_service");
   const names = hand.usePoses((now) => now.names);
   const isLoaded = hand.usePoses((now) => now.isLoaded);
-  useEffect(hand.poses.load, []);
+  useEffect(() => hand.poses.load(), []);
   const proposed = freeName(names);
   const [entry, setEntry] = useState<string>();
   const [said, setSaid] = useState<{ readonly text: string; readonly isBad: boolean }>();

@@ -59,11 +59,11 @@ function Where() {
 function Save({ stem, onSaved }: { readonly stem: string | undefined; readonly onSaved: (name: string) => void }) {
   const refusal = hand.useRefusal("call_service");
   const isLoaded = hand.usePoses((now) => now.isLoaded);
-  const saved = hand.usePoses((now) => now.poses);
+  const names = hand.usePoses((now) => now.names);
   const [busy, setBusy] = useState(false);
   const [said, setSaid] = useState<{ readonly text: string; readonly isBad: boolean }>();
-  useEffect(hand.poses.load, []);
-  const name = freeName(saved.map((pose) => pose.name), stem);
+  useEffect(() => hand.poses.load(), []);
+  const name = freeName(names, stem);
   const save = async () => {
     setBusy(true);
     const problem = await hand.poses.save(name);
