@@ -57,9 +57,14 @@ function keepScreenOn(): void {
   document.addEventListener("pointerup", ask, { once: true });
 }
 
-/** The page opens without the server, too, and says so (sw.ts); where a browser does not want that, it does not. */
+/** Once it was connected, the page opens without the server, too, and says so (sw.ts); where a browser does not want that, it does not. */
 function keepShell(): void {
-  if ("serviceWorker" in navigator) navigator.serviceWorker.register("/display/sw.js").catch(() => undefined);
+  if (!("serviceWorker" in navigator)) return;
+  const end = session.listen(() => {
+    if (session.get().connection !== "open") return;
+    end();
+    navigator.serviceWorker.register("/display/sw.js").catch(() => undefined);
+  });
 }
 
 /** To be called once. */
