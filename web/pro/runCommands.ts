@@ -6,7 +6,7 @@ import { readExact } from "../shared/edit/exact";
 import type { Command, UntilRequest } from "../shared/run/controls";
 import { watchedCore } from "../shared/session/session";
 import { api, problem, session, view, sourceOf, watch } from "./client";
-import { isSupervised } from "./manual/supervised";
+import { isSupervised } from "../control/supervised";
 
 /** What a run gets before this page lets it go on. */
 let arm: (core: Core) => Promise<void> = () => Promise.resolve();

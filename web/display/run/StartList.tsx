@@ -6,7 +6,7 @@ import { isOwn } from "../../shared/control/texts";
 import { useStop } from "../../stop/useStop";
 import { useRefusalToStart, useSession } from "../client";
 import { startDocument } from "./runs";
-import { supervise, useSupervised } from "./supervised";
+import { supervise, useSupervised } from "../../control/supervised";
 
 export function StartList() {
   const documents = useSession((now) => now.documents);

@@ -6,7 +6,7 @@ import type { ExactArguments } from "../../shared/api";
 import { watchedCore } from "../../shared/session/session";
 import { controls } from "../../control/page";
 import { api, attempt, session, watch } from "../client";
-import { isSupervised } from "./supervised";
+import { isSupervised } from "../../control/supervised";
 
 /** Somebody who is not at the controls supervises nothing. */
 const supervised = (): boolean => isSupervised() && controls.get().kind === "held";

@@ -1,7 +1,7 @@
 // Whether the runs that are begun need the person at the controls.
 import { isOwn } from "../../shared/control/texts";
 import { useStop } from "../../stop/useStop";
-import { supervise, useSupervised } from "./supervised";
+import { supervise, useSupervised } from "../../control/supervised";
 
 export function SupervisedBox() {
   const on = useSupervised();

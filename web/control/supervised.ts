@@ -1,6 +1,6 @@
 // Whether the runs that this page begins need the person at the controls: off at first, and again once the controls are gone.
-import { controls, listenToControls } from "../../control/page";
-import { createStore, useSelected } from "../../page/store";
+import { controls, listenToControls } from "./page";
+import { createStore, useSelected } from "../page/store";
 
 const store = createStore<boolean, boolean>(false, (_, next) => next);
 listenToControls(() => controls.get().kind !== "held" && store.dispatch(false));
