@@ -1,5 +1,5 @@
 // A person who moves the arm by a held button is lost with the page: how soon the arm brakes, measured by what the robot says of itself.
-// RACE_TRIALS: of each kind (3). The figures are printed; the bound is that of the slowest.
+// RACE_TRIALS: of each kind (3). The figures are printed; the bound is that of the slowest, and so of the 99th of a hundred.
 import { openFixture, type Fixture } from "./fixture";
 import { openNetwork, type Network } from "./network";
 import { openRealTab, type RealTab } from "./realTab";
@@ -8,8 +8,9 @@ import { watchRobot, type RobotWatch } from "./braking";
 const kTrials = Number(process.env["RACE_TRIALS"] ?? "3");
 /** Of the fastest motion by hand. */
 const kShare = 0.5;
-/** Until it brakes [ms]. */
-const kBound = 300;
+/** Until it brakes [ms]: when the person is gone, and when they let go. */
+const kGone = 300;
+const kReleased = 100;
 
 /** The pages by which the arm is moved, and where they have the slider of its speed. */
 const kPages = {
@@ -86,7 +87,7 @@ describe("a person who is lost with the page that moves the arm", () => {
     return label;
   }
 
-  async function measure(name: string, lose: (label: string) => Promise<void>, page: Page = "pro", url?: string): Promise<void> {
+  async function measure(name: string, lose: (label: string) => Promise<void>, page: Page = "pro", url?: string, bound = kGone): Promise<void> {
     const brakes: number[] = [];
     const stands: number[] = [];
     for (let trial = 0; trial < kTrials; trial++) {
@@ -101,7 +102,7 @@ describe("a person who is lost with the page that moves the arm", () => {
     }
     brakes.sort((a, b) => a - b);
     console.log(`${name}: brakes after ${brakes[kTrials >> 1]?.toFixed(0)} ms (median), ${brakes.at(-1)?.toFixed(0)} (slowest of ${kTrials}); stands after ${Math.max(...stands).toFixed(0)}`);
-    expect(brakes.at(-1)).toBeLessThanOrEqual(kBound);
+    expect(brakes.at(-1)).toBeLessThanOrEqual(bound);
   }
 
   it("by another tab that is shown", () => measure("hidden tab", () => tab.showAnother()));
@@ -109,9 +110,9 @@ describe("a person who is lost with the page that moves the arm", () => {
   it("by a browser that freezes it", () => measure("frozen page", () => tab.freeze()));
   it("by its tab that is closed", () => measure("closed tab", () => tab.close()));
   it("by its process that ends", () => measure("ended process", () => tab.crash()));
-  it("or the button is released", () => measure("released button", (label) => tab.mouse("mouseReleased", label)));
+  it("or the button is released", () => measure("released button", (label) => tab.mouse("mouseReleased", label), "pro", fixture.url, kReleased));
   it("on a phone: by another page that is shown", () => measure("hidden page of a phone", () => tab.showAnother(), "phone"));
-  it("on a phone: or the button is released", () => measure("released button of a phone", (label) => tab.mouse("mouseReleased", label), "phone"));
+  it("on a phone: or the button is released", () => measure("released button of a phone", (label) => tab.mouse("mouseReleased", label), "phone", fixture.url, kReleased));
   it("on a phone: by its network, which it says", () =>
     measure(
       "lost network of a phone",

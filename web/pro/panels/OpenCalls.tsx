@@ -6,8 +6,8 @@ import { useSession } from "../client";
 import { usePersonWait } from "./question";
 import { useCellTime } from "./useCellTime";
 
-/** More are not listed: a run may have thousands. */
-const kMost = 8;
+/** Rows; more calls are counted in the last one, as a run may have thousands. */
+const kMost = 6;
 
 export interface ListedCall {
   readonly service: string;
@@ -24,12 +24,13 @@ interface CallListProps {
 
 /** Calls that are not answered, of the present or of a moment of the past. */
 export function CallList({ calls, empty }: CallListProps) {
+  const listed = calls.length > kMost ? calls.slice(0, kMost - 1) : calls;
   return (
     <section aria-label="Open calls">
       <h3>Open calls</h3>
       {calls.length === 0 && empty !== undefined && <p className="quiet">{empty}</p>}
       <ul className="open-calls">
-        {calls.slice(0, kMost).map(({ service, operation, about }, i) => (
+        {listed.map(({ service, operation, about }, i) => (
           // The rows stay while a run goes on, and say something else.
           <li key={i}>
             <code>
@@ -38,7 +39,7 @@ export function CallList({ calls, empty }: CallListProps) {
             {about}
           </li>
         ))}
-        {calls.length > kMost && <li>and {calls.length - kMost} more</li>}
+        {calls.length > listed.length && <li>and {calls.length - listed.length} more</li>}
       </ul>
     </section>
   );
