@@ -4,6 +4,7 @@ import { loadavg } from "node:os";
 import type { Page } from "playwright-core";
 import { openFixture, web, type Fixture } from "../../browser/fixture";
 import { bundleSize } from "./bundle";
+import { firstView, kFirstViews, kSlow } from "./first_view";
 import { largeDocument } from "./large_document.mjs";
 import { pan, zoom } from "./motion";
 import { installProbe, openingOf, type Region } from "./probe";
@@ -156,7 +157,19 @@ async function sayRun(fixture: Fixture): Promise<void> {
   await page.close();
 }
 
-const parts: Readonly<Record<string, (fixture: Fixture) => Promise<void>>> = { first: sayFirstPage, demo: sayDemo, edit: sayEditor, run: sayRun };
+/** The pages for people at the cell. */
+async function sayFirstViews(fixture: Fixture): Promise<void> {
+  const browser = fixture.page.context().browser();
+  if (browser === null) throw new Error("there is no browser");
+  console.log(`slow: a processor ${kSlow.processor} times slower, and ${kSlow.bytesPerSecond * 8e-6} Mbit/s with ${kSlow.latency} ms`);
+  for (const view of kFirstViews)
+    for (const isSlow of [false, true]) {
+      const times = await inTurn([...Array(9).keys()], () => firstView(browser, fixture.url, view, isSlow));
+      say(`${view.name}${isSlow ? ", slow" : ""}: first view, median (most) of ${times.length}`, `${Math.round(quantile(times, 0.5))} (${Math.round(Math.max(...times))}) ms`, "<= 1500 ms");
+    }
+}
+
+const parts: Readonly<Record<string, (fixture: Fixture) => Promise<void>>> = { first: sayFirstPage, views: sayFirstViews, demo: sayDemo, edit: sayEditor, run: sayRun };
 
 const wanted = process.argv.slice(2).filter((name) => name in parts);
 const fixture = await openFixture();
