@@ -2,7 +2,7 @@
 
 It dies as it makes a call, before that has an effect; so what a kill after call n leaves is what one before call n + 1
 leaves. A recorded run of each phase says which points there are (fault_points.py).
-RACE_CRASH_POINTS says how many are tried (300; "all"), RACE_SEED which; RACE_POINT=phase:call:n tries one.
+RACE_CRASH_POINTS says how many are tried (120; "all"), RACE_SEED which; RACE_POINT=phase:call:n tries one.
 """
 import concurrent.futures
 import math
@@ -16,7 +16,7 @@ from fault_points import PHASES, choose, new_folder, record, remove_prepared_fol
 from stored_data import Folder, Reference, derivations, replay
 from traced_server import WRITES, TracedServer
 
-POINTS = os.environ.get("RACE_CRASH_POINTS", "300")
+POINTS = os.environ.get("RACE_CRASH_POINTS", "120")
 REPLAYED = 8  # one in so many is replayed by another process
 WATCHED = 8  # at most so many of those that leave a run are watched for some time after the restart
 PAUSE = 0.3  # [s] for so long
