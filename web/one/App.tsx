@@ -7,6 +7,7 @@ import { Build } from "./Build";
 import { access, logIn, ownControls, session, useLogin, useRefusal, useSession } from "./client";
 import { Guide } from "./guide/Guide";
 import { Head } from "./Head";
+import { LeaveQuestion } from "./LeaveQuestion";
 import { usePlace } from "./place";
 import { RunView } from "./run/RunView";
 import { Told } from "./Told";
@@ -42,6 +43,7 @@ function Page() {
       <Problem />
       {guide !== undefined ? <Guide step={guide} /> : edit === undefined ? <Applications /> : view === "run" ? <RunView name={edit} /> : <Build name={edit} />}
       <Told />
+      <LeaveQuestion />
     </div>
   );
 }

@@ -48,16 +48,33 @@ export const tell = (text: string | undefined, isRefusal = true): void => store.
 
 let open: { readonly editor: Editor; readonly end: () => void } | undefined;
 
+/** A server that is there has an edit after this time, and if not, it is slow [ms]. */
+const kUsual = 1000;
+/** Since when edits have been waiting for the server [ms of performance.now()]. */
+let waitingSince: number | undefined;
+
+function takeUp(next: EditSession): void {
+  waitingSince = next.pending.length === 0 ? undefined : (waitingSince ?? performance.now());
+  store.dispatch({ session: next });
+}
+
+/** How many edits are lost if the application is left now: the server has not taken them, and is not there, or late. Others are on their way, and arrive. */
+export function unsavedNow(): number {
+  const isLate = waitingSince !== undefined && performance.now() - waitingSince > kUsual;
+  return isLate || session.get().connection !== "open" ? (store.get().session?.pending.length ?? 0) : 0;
+}
+
 export function openApplication(name: string | undefined): void {
   open?.editor.close();
   open?.end();
   open = undefined;
+  waitingSince = undefined;
   store.dispatch({ document: name, session: undefined, told: undefined });
   watchApplication(name);
   if (name === undefined) return;
   const { stream, end } = listenToStream({ update: (update) => open?.editor.receive(update), connection: (now) => open?.editor.connection(now) });
   const editor = openEditor(stream, session.get().connection, name, author(), {
-    onSession: (next) => store.dispatch({ session: next }),
+    onSession: takeUp,
     onNotice: (notice) => tell(refusalText(notice)),
   });
   open = { editor, end };

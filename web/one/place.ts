@@ -2,6 +2,7 @@
 // `guide` of the step of the guide, with the poses `part` and `place` that were taught in it.
 import { createStore, useSelected } from "../page/store";
 import { openApplication } from "./editing";
+import { mayLeave } from "./leaving";
 
 /** The steps of the guide, in their order. */
 export const kGuideSteps = ["cell", "camera", "part", "place", "application", "run"] as const;
@@ -38,24 +39,54 @@ const store = createStore<Place, Place>(read(), (_, next) => next);
 export const usePlace = <T>(select: (place: Place) => T): T => useSelected(store, select);
 export const place = (): Place => store.get();
 
-/** Another application or view is a page of its own for the browser's Back; another selection is not. */
+/** Of the entry of the browser's history that is shown: one more with each new entry. */
+let number = 0;
+/** Of an entry; nothing: a person has written it into the address, behind all others. */
+function numberOf(state: unknown): number | undefined {
+  return typeof state === "object" && state !== null && "number" in state && typeof state.number === "number" ? state.number : undefined;
+}
+
+/** Another application or view is a page of its own for the browser's Back; another selection is not. Edits that would be lost keep the application open until a person says otherwise. */
 export function go(change: Partial<Place>): void {
   const before = store.get();
   const next = { ...before, ...change };
   if (addressOf(next) === addressOf(before)) return;
+  const turn = () => turnTo(next);
+  if (next.edit === before.edit || mayLeave(turn)) turn();
+}
+
+function turnTo(next: Place): void {
+  const before = store.get();
   const isPage = next.edit !== before.edit || next.view !== before.view || next.guide !== before.guide;
-  history[isPage ? "pushState" : "replaceState"](null, "", addressOf(next));
+  if (isPage) number++;
+  history[isPage ? "pushState" : "replaceState"]({ number }, "", addressOf(next));
   store.dispatch(next);
   if (next.edit !== before.edit) openApplication(next.edit);
 }
 
 /** Opens what the address says, now and when the browser goes back. */
 export function followAddress(): void {
+  /** Edits were given up. */
+  let leavesAnyway = false;
   const follow = () => {
-    const before = store.get();
-    store.dispatch(read());
-    if (store.get().edit !== before.edit) openApplication(store.get().edit);
+    const [before, next] = [store.get(), read()];
+    const by = (numberOf(history.state) ?? number + 1) - number;
+    const leave = () => {
+      leavesAnyway = true;
+      history.go(by);
+    };
+    if (next.edit !== before.edit && by !== 0 && !leavesAnyway && !mayLeave(leave)) {
+      history.go(-by);
+      return;
+    }
+    leavesAnyway = false;
+    number += by;
+    history.replaceState({ number }, "");
+    store.dispatch(next);
+    if (next.edit !== before.edit) openApplication(next.edit);
   };
+  number = numberOf(history.state) ?? 0;
+  history.replaceState({ number }, "");
   addEventListener("popstate", follow);
   addEventListener("hashchange", follow);
   openApplication(store.get().edit);

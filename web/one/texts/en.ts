@@ -85,5 +85,14 @@ export const en: Texts = {
     saved: (name) => `Saved as ${name}.`,
     notSaved: (why) => `Not saved: ${why}. Try again.`,
   },
+  leave: {
+    title: (edits) => (edits === 1 ? "1 change is not saved yet" : `${edits} changes are not saved yet`),
+    lost: "The server does not answer. If you stay here, what you changed is saved as soon as it answers again. If you leave now, it is lost.",
+    savedTitle: "All is saved now",
+    saved: "The server is back. You can leave without losing anything.",
+    stay: "Stay here",
+    leave: "Leave",
+    giveUp: "Leave, and lose it",
+  },
   problem: (why) => `That did not work: ${why}. Try again.`,
 };

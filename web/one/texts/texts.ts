@@ -66,4 +66,14 @@ export interface Texts {
     readonly notSaved: (why: string) => string;
   };
   readonly problem: (why: string) => string;
+  /** Before an application is left whose edits the server has not taken. */
+  readonly leave: {
+    readonly title: (edits: number) => string;
+    readonly lost: string;
+    readonly savedTitle: string;
+    readonly saved: string;
+    readonly stay: string;
+    readonly leave: string;
+    readonly giveUp: string;
+  };
 }

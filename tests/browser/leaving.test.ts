@@ -1,0 +1,131 @@
+// RACE-One: an application is left while the server is not there, with edits that it has not taken. On the real server.
+import type { Page } from "playwright-core";
+import { findings } from "./axe";
+import { openFixture, type Fixture } from "./fixture";
+
+let fixture: Fixture;
+let page: Page;
+
+beforeAll(async () => {
+  fixture = await openFixture();
+  ({ page } = fixture);
+  page.setDefaultTimeout(20_000);
+  await page.emulateMedia({ reducedMotion: "reduce" });
+});
+afterAll(() => fixture.close());
+
+const question = () => page.getByRole("alertdialog", { name: /not saved yet|All is saved now/ });
+const press = (name: string) => question().getByRole("button", { name }).click();
+const tasks = (of = page) => of.getByRole("region", { name: /^Task / }).evaluateAll((each) => each.map((one) => one.getAttribute("aria-label")));
+const open = () => new URL(page.url()).searchParams.get("edit");
+const connection = (text: string) => page.getByRole("status", { name: "Connection" }).filter({ hasText: text }).waitFor();
+const leave = () => page.getByRole("link", { name: "RACE One" }).click();
+const stored = async (): Promise<readonly string[]> => {
+  const { document } = (await fixture.send("GET", "/documents/left")) as { readonly document: { readonly root: { readonly children?: readonly { readonly state: string }[] } } };
+  return (document.root.children ?? []).map(({ state }) => state);
+};
+
+async function addTask(name: string): Promise<void> {
+  const more = page.getByRole("button", { name: "+ Add a task" });
+  if ((await more.count()) > 0) await more.click();
+  await page.getByLabel("Name of the task").fill(name);
+  await page.getByRole("button", { name: "Add the task" }).click();
+  await page.getByRole("region", { name: `Task ${name}` }).waitFor();
+}
+
+async function lose(): Promise<void> {
+  await fixture.kill();
+  await connection("Connection lost");
+}
+
+describe("an application with edits that the server has not taken", () => {
+  it("is left at once while the server is there", async () => {
+    await page.goto(`${fixture.url}/one/`);
+    await page.getByLabel("A new application").fill("left");
+    await page.getByRole("button", { name: "Begin" }).click();
+    await addTask("First");
+    await leave();
+    await page.getByRole("heading", { name: "What shall the robot do?" }).waitFor();
+    expect(await question().count()).toBe(0);
+    await expect.poll(stored).toEqual(["First"]);
+    await page.getByRole("link", { name: /^left/ }).click();
+    await page.getByRole("region", { name: "Task First" }).waitFor();
+  });
+
+  it("asks before it is left for the list, and stays as it is", async () => {
+    await lose();
+    await addTask("Second");
+    await leave();
+    await question().getByRole("heading", { name: "1 change is not saved yet" }).waitFor();
+    expect(await findings(page)).toEqual([]);
+    await fixture.screenshot("one-leaving");
+    await press("Stay here");
+    await question().waitFor({ state: "detached" });
+    expect([open(), await tasks()]).toEqual(["left", ["Task First", "Task Second"]]);
+    await leave();
+    await page.keyboard.press("Escape");
+    await question().waitFor({ state: "detached" });
+    expect([open(), await tasks()]).toEqual(["left", ["Task First", "Task Second"]]);
+  });
+
+  it("asks when the browser goes back, and the address stays as it is", async () => {
+    await page.evaluate(() => history.back());
+    await question().waitFor();
+    await expect.poll(open).toBe("left");
+    await press("Stay here");
+    expect([open(), await tasks()]).toEqual(["left", ["Task First", "Task Second"]]);
+  });
+
+  it("asks when the page is closed", async () => {
+    const asked = page.waitForEvent("dialog");
+    await page.close({ runBeforeUnload: true });
+    const dialog = await asked;
+    expect(dialog.type()).toBe("beforeunload");
+    await dialog.dismiss();
+    expect(await tasks()).toEqual(["Task First", "Task Second"]);
+  });
+
+  it("says when all is saved after all, and is left then", async () => {
+    await page.evaluate(() => history.back());
+    await question().waitFor();
+    await fixture.restart();
+    await question().getByRole("heading", { name: "All is saved now" }).waitFor();
+    await fixture.screenshot("one-leaving-saved");
+    await press("Leave");
+    await page.getByRole("heading", { name: "What shall the robot do?" }).waitFor();
+    expect(open()).toBeNull();
+    expect(await stored()).toEqual(["First", "Second"]);
+    await page.evaluate(() => history.forward());
+    await page.getByRole("region", { name: "Task Second" }).waitFor();
+  });
+
+  it("is left without them if a person says so, by the browser's Back, too", async () => {
+    await lose();
+    await addTask("Third");
+    await page.evaluate(() => history.back());
+    await question().waitFor();
+    await press("Leave, and lose it");
+    await page.getByRole("heading", { name: "What shall the robot do?" }).waitFor();
+    expect(open()).toBeNull();
+    await fixture.restart();
+    await page.getByText("Connected", { exact: true }).waitFor();
+    expect(await stored()).toEqual(["First", "Second"]);
+    await page.getByRole("link", { name: /^left/ }).click();
+    await page.getByRole("region", { name: "Task Second" }).waitFor();
+    expect(await tasks()).toEqual(["Task First", "Task Second"]);
+  });
+
+  it("asks also when the connection is open and the server is silent", async () => {
+    process.kill(fixture.pid(), "SIGSTOP");
+    try {
+      await addTask("Fourth");
+      await page.waitForTimeout(1500);
+      await leave();
+      await question().getByRole("heading", { name: "1 change is not saved yet" }).waitFor();
+      await press("Stay here");
+    } finally {
+      process.kill(fixture.pid(), "SIGCONT");
+    }
+    await expect.poll(stored).toEqual(["First", "Second", "Fourth"]);
+  });
+});
