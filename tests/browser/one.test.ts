@@ -321,6 +321,58 @@ describe("a taught pose", () => {
   });
 });
 
+describe("a pose that is taught in place", () => {
+  const mouseHold = async (name: string, time: number): Promise<void> => {
+    const held = panel().getByRole("button", { name: `${name}, while held`, exact: true });
+    await held.scrollIntoViewIfNeeded();
+    const { x, y } = await middle(held);
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.waitForTimeout(time);
+    await page.mouse.up();
+  };
+  const heights = async (): Promise<readonly number[]> => ((await fixture.send("POST", "/services/robot/calls", { operation: "state" })) as { readonly result: { readonly pose: { readonly position: readonly number[] } } }).result.pose.position;
+
+  it("is where mouse and keys have led the arm, under a name that was free, and the parameter is set to it", async () => {
+    await card("Move to").click();
+    await panel().getByRole("button", { name: "Teach here" }).click();
+    const before = panel().getByRole("region", { name: "Before you move the robot" });
+    expect(await panel().getByRole("button", { name: "Tool along Z plus, while held" }).isDisabled()).toBe(true);
+    await before.getByRole("button", { name: "Take the controls" }).click();
+    await before.getByRole("button", { name: "Programming" }).click();
+    await before.waitFor({ state: "detached" });
+    const [, , start = 0] = await heights();
+    await mouseHold("Tool along Z plus", 1000);
+    const [, , byMouse = 0] = await heights();
+    expect(byMouse).toBeGreaterThan(start + 0.005);
+    await panel().getByRole("button", { name: "Tool along Z plus, while held", exact: true }).focus();
+    await page.keyboard.down("Space");
+    await page.waitForTimeout(1000);
+    await page.keyboard.up("Space");
+    await expect.poll(async () => (await heights())[2]).toBeGreaterThan(byMouse + 0.005);
+    await fixture.screenshot("one-teach");
+    await panel().getByRole("button", { name: "Save as pose1" }).click();
+    await panel().getByText("Saved as pose1.").waitFor();
+    await card("Move to").getByText("pose1").waitFor();
+    await panel().getByRole("button", { name: "Save as pose2" }).waitFor();
+    const { result } = (await fixture.send("POST", "/services/db/calls", { operation: "get", kwargs: { key: "pose_pose1" } })) as { readonly result: { readonly pose: { readonly position: readonly number[] } } };
+    expect(result.pose.position[2]).toBeCloseTo((await heights())[2] ?? Number.NaN, 3);
+    await page.reload();
+    await card("Move to").click();
+    await panel().getByRole("button", { name: "Teach here" }).click();
+    expect(await faults(page)).toEqual([]);
+    await panel().getByRole("region", { name: "Before you move the robot" }).getByRole("button", { name: "Take the controls" }).click();
+    await page.getByText("You have the controls").waitFor();
+    await panel().getByRole("button", { name: "Do not teach" }).click();
+    await page.getByRole("button", { name: "Run", exact: true }).click();
+    await page.getByRole("region", { name: "Mode", exact: true }).getByRole("button", { name: "Execution" }).click();
+    await page.getByText("Execution mode").waitFor();
+    await page.getByRole("button", { name: "Give back" }).click();
+    await page.goto(`${fixture.url}/one/?edit=sort-parts`);
+    await card("Move to").waitFor();
+  });
+});
+
 describe("a phone", () => {
   it("is paired by a code on this page", async () => {
     await page.getByRole("button", { name: "Pair a phone" }).click();

@@ -3,6 +3,7 @@ import type { CellPose, Core } from "../generated/messages";
 import { createAccount } from "../page/account";
 import { createRights } from "../page/rights";
 import { createStore, slowly, useSelected } from "../page/store";
+import { createApi } from "../shared/api";
 import { kNoPlaces } from "../shared/drawing/places";
 import { newestRun } from "../shared/live/shownRun";
 import type { Access } from "../shared/login/access";
@@ -20,6 +21,8 @@ const shownSession = slowly(session, isUrgent);
 export const useSession = <T>(select: (state: Session) => T): T => useSelected(shownSession, select);
 
 export const { login, access, fetchWithControls: fetcher, api, ownControls, ownStream } = createAccount(() => stream?.reopen());
+/** For what is only asked: it is answered also when the controls have just been lost. */
+export const bystander = createApi("/api/v1", access.fetch);
 export const useLogin = <T>(select: (access: Access) => T): T => useSelected(login, select);
 export const me = () => login.get().me;
 export const rights = createRights(login);

@@ -1,7 +1,7 @@
 // The camera is calibrated by a run of the skill, unless that is done already or there is no camera.
 import { useEffect, useState } from "react";
 import { isOver } from "../../shared/run/controls";
-import { api, useCore, useSession } from "../client";
+import { bystander, useCore, useSession } from "../client";
 import { useOffered } from "../library/offered";
 import { usePlace } from "../place";
 import { RunView } from "../run/RunView";
@@ -25,7 +25,7 @@ function useKnown(): boolean | undefined {
   useEffect(() => {
     let isLate = false;
     if (over)
-      void api.callService("db", "get", { key: kKey }).then(
+      void bystander.callService("db", "get", { key: kKey }).then(
         () => isLate || setKnown(true),
         () => isLate || setKnown(false),
       );
@@ -38,6 +38,9 @@ function useKnown(): boolean | undefined {
 
 export function CameraStep() {
   const edit = usePlace((place) => place.edit);
+  const core = useCore();
+  // The run of the calibration goes on: the arm cannot be moved by hand meanwhile.
+  const isMoving = core !== undefined && core.status !== "ready" && !isOver(core);
   const documents = useSession((now) => now.documents);
   const known = useKnown();
   useEffect(() => void loadSkills(), [documents]);
@@ -48,8 +51,8 @@ export function CameraStep() {
       <>
         <RunView name={edit} />
         <div className="guided-body is-below">
-          {known !== true && <p className="doc">{t.skip}</p>}
-          <Ways step="camera" isReady />
+          {!isMoving && known !== true && <p className="doc">{t.skip}</p>}
+          <Ways step="camera" isReady={!isMoving} />
         </div>
       </>
     );

@@ -1,7 +1,7 @@
 // The two places that are shown to the robot: of the part, and where it goes.
 import { useEffect, useState } from "react";
 import { keyOfPose, positionIn } from "../../shared/pendant/poses";
-import { api } from "../client";
+import { bystander } from "../client";
 import { go, usePlace } from "../place";
 import { Teach } from "../teach/Teach";
 import { inMillimetres, useTool } from "../teach/useTool";
@@ -44,7 +44,7 @@ function Height() {
   useEffect(() => {
     let isOver = false;
     if (part !== undefined)
-      void api.callService("db", "get", { key: keyOfPose(part) }).then(
+      void bystander.callService("db", "get", { key: keyOfPose(part) }).then(
         (value) => isOver || setHeight(positionIn(value)?.[2]),
         () => undefined,
       );

@@ -10,6 +10,7 @@ import { Asked } from "./Asked";
 import { becomeDisplay } from "./display";
 import { treeOfRun, useFailure } from "./failed";
 import { Finished } from "./Finished";
+import { ModeHere } from "./ModeHere";
 import { RunButtons } from "./RunButtons";
 
 export function RunView({ name }: { readonly name: string }) {
@@ -62,6 +63,7 @@ export function RunView({ name }: { readonly name: string }) {
       {look === "failed" && failure === undefined && <p className="wrong is-short">{isBadOutcome(core?.outcome) ? `It ended at “${core?.outcome ?? ""}”.` : ""}</p>}
       <Asked />
       <RunButtons name={name} />
+      <ModeHere />
       <Finished name={name} />
     </main>
   );

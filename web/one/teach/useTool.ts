@@ -2,7 +2,7 @@
 import { useEffect, useState } from "react";
 import { movableOf } from "../../shared/control/jog";
 import { positionIn, type Position } from "../../shared/pendant/poses";
-import { api } from "../client";
+import { bystander } from "../client";
 import { hand } from "../hand";
 
 /** Between two questions [ms]. */
@@ -17,7 +17,7 @@ export function useTool(): Position | undefined {
     let timer: ReturnType<typeof setTimeout> | undefined;
     let isOver = false;
     const ask = async (): Promise<void> => {
-      const state = await api.callService(robot, "state", {}).catch(() => null);
+      const state = await bystander.callService(robot, "state", {}).catch(() => null);
       if (isOver) return;
       setPosition(positionIn(state));
       timer = setTimeout(() => void ask(), kPause);
