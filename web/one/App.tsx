@@ -4,7 +4,7 @@ import { ControlBar } from "../control/ControlBar";
 import { StoppedBanner } from "../stop/StoppedBanner";
 import { Applications } from "./Applications";
 import { Build } from "./Build";
-import { access, logIn, ownControls, session, useLogin, useRefusal, useSession } from "./client";
+import { access, dismissProblem, logIn, ownControls, useLogin, useRefusal, useSession } from "./client";
 import { Guide } from "./guide/Guide";
 import { Head } from "./Head";
 import { LeaveQuestion } from "./LeaveQuestion";
@@ -54,7 +54,7 @@ function Problem() {
   return (
     <p className="notice is-bad" role="alert">
       <span>{text}</span>
-      <button type="button" className="plain" aria-label="Close this message" onClick={() => session.dispatch({ type: "problem", text: undefined })}>
+      <button type="button" className="plain" aria-label="Close this message" onClick={dismissProblem}>
         ✕
       </button>
     </p>

@@ -1,6 +1,5 @@
 // The page's one connection to the server: stores, requests and the stream, wired together.
 import { RefusedError } from "../shared/api";
-import type { Access } from "../shared/login/access";
 import type { CellPose, Core, Packet, TraceStep } from "../generated/messages";
 import type { RunSource } from "../shared/api";
 import { kNoPlaces, type Places } from "../shared/drawing/places";
@@ -17,19 +16,16 @@ import { addressWith, placeOfAddress } from "../shared/session/address";
 import { isUrgent } from "../shared/session/urgent";
 import { coreToWatch } from "../shared/session/watched";
 import type { StreamUpdate } from "../shared/messages/stream";
-import { openStream, type Connection, type Stream } from "../shared/stream";
-import { createAccount } from "../page/account";
-import { stop } from "../stop/page";
+import { createPageStream } from "../page/pageStream";
 import { createStore, slowly, useSelected } from "../page/store";
-import { messageOf } from "../shared/messageOf";
 
 const kPastSteps = 40;
 
 export const session = createStore<Session, SessionEvent>(emptySession, applyEvent);
 export const view = createStore<View, Gesture>(firstView({ width: innerWidth, height: innerHeight }), applyGesture);
 
-export const { login, access, fetchWithControls, api, ownControls, ownStream } = createAccount(() => stream?.reopen());
-export const useLogin = <T>(select: (access: Access) => T): T => useSelected(login, select);
+const page = createPageStream(session);
+export const { login, access, fetchWithControls, api, ownControls, ownStream, useLogin, logIn, listenToStream, problem, dismissProblem, attempt, loadDocuments } = page;
 
 /** The newest pose of the cell. It changes many times a second, so it bypasses the session. */
 export const cellPose = createStore<CellPose | undefined, CellPose | undefined>(undefined, (_, pose) => pose);
@@ -43,28 +39,7 @@ export const useSession = <T>(select: (state: Session) => T): T => useSelected(s
 export const useView = <T>(select: (state: View) => T): T => useSelected(view, select);
 export const useCore = (): Core | undefined => useSession(watchedCore);
 
-let stream: Stream | undefined;
-
-/** A part of the page with channels or requests of its own. */
-export interface StreamListener {
-  readonly update: (update: StreamUpdate) => void;
-  readonly connection: (connection: Connection) => void;
-}
-const listeners = new Set<StreamListener>();
-
-/** The page's connection, and from now on all that comes over it; the result ends that. Requires `connect`. */
-export function listenToStream(listener: StreamListener): { readonly stream: Stream; readonly end: () => void } {
-  if (stream === undefined) throw new Error("the page is not connected");
-  listeners.add(listener);
-  return { stream, end: () => listeners.delete(listener) };
-}
 const flowWatchers = new Map<string, ReadonlySet<(packet: Packet) => void>>();
-
-/** Shows an error until the user dismisses it. */
-export function problem(error: unknown): void {
-  const text = messageOf(error);
-  session.dispatch({ type: "problem", text });
-}
 
 /** Derivations are collected for this time, so that a run of a hundred steps in a second does not redraw the list as often: longer while
  *  so many steps come that nobody can read them [ms]. */
@@ -90,35 +65,23 @@ function gather(id: string, steps: readonly TraceStep[]): void {
 /** Updates that say of which edit the model of a core is. */
 const kBringsCore: ReadonlySet<StreamUpdate["type"]> = new Set(["cores", "core", "state", "state_changed"]);
 
-/** Opens the stream and loads what never changes; the connection stays until the page is closed. */
-export function connect(): void {
-  stream = openStream(ownStream, {
-    onConnection: (connection, ended) => {
-      if (connection !== "connecting" && !access.get().asked) void access.ask().catch(() => undefined); // the account may have changed
-      session.dispatch({ type: "connection", connection, ended });
-      stop.connection(connection);
-      listeners.forEach((listener) => listener.connection(connection));
-      if (connection === "open") opened();
-    },
-    onMalformed: problem,
-    onUpdate: (update) => {
-      if (update.type === "cell") takePose(update.pose);
-      else if (update.type === "control") stop.take(update.control);
-      else if (update.type === "packet") flowWatchers.get(update.channel)?.forEach((came) => came(update.packet));
-      else if (update.type === "derivations") gather(update.id, update.steps);
-      else session.dispatchInFrame((frame) => ({ type: "update", update, frame }));
-      if (update.type === "derivation_position") void loadPast(update.id, update.next);
-      if (update.type === "cores" || update.type === "core" || update.type === "core_removed") watchSomething();
-      if (kBringsCore.has(update.type)) refreshModel();
-      listeners.forEach((listener) => listener.update(update));
-    },
-  });
-  for (const channel of ["cores", "services", "control", "log", "cell/pose"]) stream.subscribe(channel);
+function take(update: StreamUpdate): boolean {
+  if (update.type === "cell") takePose(update.pose);
+  else if (update.type === "packet") flowWatchers.get(update.channel)?.forEach((came) => came(update.packet));
+  else if (update.type === "derivations") gather(update.id, update.steps);
+  else return false;
+  return true;
 }
 
-/** Connects at once: somebody has logged in. */
-export function reconnect(): void {
-  stream?.retry();
+function taken(update: StreamUpdate): void {
+  if (update.type === "derivation_position") void loadPast(update.id, update.next);
+  if (update.type === "cores" || update.type === "core" || update.type === "core_removed") watchSomething();
+  if (kBringsCore.has(update.type)) refreshModel();
+}
+
+/** Opens the stream and loads what never changes; the connection stays until the page is closed. */
+export function connect(): void {
+  page.connect({ channels: ["cores", "services", "control", "log", "cell/pose"], onConnection: (connection) => connection === "open" && opened(), take, onTaken: taken });
 }
 
 function opened(): void {
@@ -140,15 +103,6 @@ async function loadLists(): Promise<void> {
     session.dispatch({ type: "rules", rules: await api.rules() });
   } catch (error) {
     problem(error);
-  }
-}
-
-/** Loads the list of documents, which no channel tells of. */
-export async function loadDocuments(): Promise<void> {
-  try {
-    session.dispatch({ type: "documents", documents: await api.documents() });
-  } catch (error) {
-    if (session.get().connection !== "lost") problem(error);
   }
 }
 
@@ -202,7 +156,7 @@ let last: LastShown | undefined;
 function turnTo(id: string | undefined, turn: () => void): void {
   const { watched: before } = session.get();
   if (view.get().page !== "edit") last = lastShown(session.get(), view.get(), last);
-  if (before !== undefined) stream?.unsubscribe(`core/${before}/state`);
+  if (before !== undefined) page.stream()?.unsubscribe(`core/${before}/state`);
   if (id !== undefined) history.replaceState(null, "", addressWith(location.search, { run: id, ...(placeOfAddress(location.search).run !== id && { at: undefined }) }));
   turn();
   view.dispatch({ type: "forget_run" });
@@ -213,7 +167,7 @@ export function watch(id: string | undefined): void {
   if (session.get().watched === id) return;
   turnTo(id, () => session.dispatch({ type: "watched", id }));
   if (id === undefined) return;
-  stream?.subscribe(`core/${id}/state`);
+  page.stream()?.subscribe(`core/${id}/state`);
   loadModel(id);
 }
 
@@ -293,25 +247,12 @@ export function watchFlow(service: string, flow: string, came: (packet: Packet) 
   const channel = `flow/${service}/${flow}`;
   const others = flowWatchers.get(channel);
   flowWatchers.set(channel, new Set([...(others ?? []), came]));
-  if (others === undefined) stream?.subscribe(channel);
+  if (others === undefined) page.stream()?.subscribe(channel);
   return () => {
     const left = new Set(flowWatchers.get(channel));
     left.delete(came);
     if (left.size > 0) return void flowWatchers.set(channel, left);
     flowWatchers.delete(channel);
-    stream?.unsubscribe(channel);
+    page.stream()?.unsubscribe(channel);
   };
-}
-
-/** Does something, and shows above the page why it has failed. */
-export async function attempt(action: () => Promise<void>): Promise<void> {
-  try {
-    await action();
-  } catch (error) {
-    problem(error);
-  }
-}
-
-export function dismissProblem(): void {
-  session.dispatch({ type: "problem", text: undefined });
 }

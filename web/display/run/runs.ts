@@ -22,7 +22,7 @@ async function make(document: string, args: ExactArguments): Promise<Core> {
 export function run(command: "start" | "resume" | "again" | "pause" | "stop"): void {
   const core = watchedCore(session.get());
   if (core === undefined) return;
-  attempt(async () => {
+  void attempt(async () => {
     if (command === "again") await make(core.document, await api.runArguments(core.id, "cores"));
     else if (command === "start" || command === "resume") await api[command](core.id, supervised());
     else await api[command](core.id);
@@ -31,7 +31,7 @@ export function run(command: "start" | "resume" | "again" | "pause" | "stop"): v
 
 /** Makes a run of a document and starts it, if it needs no arguments: those are entered on the expert page. */
 export function startDocument(document: string): void {
-  attempt(async () => {
+  void attempt(async () => {
     const entry = readExact(await api.documentText(document)) as unknown as { readonly document: ExactDocument };
     const missing = runParameters(entry.document).filter(({ initial }) => initial === undefined);
     if (missing.length > 0) throw new Error(`${document} needs ${missing.map(({ name }) => name).join(", ")}: start it once on the expert page, then it can be started again here`);

@@ -3,7 +3,7 @@ import { useEffect, useRef, useState, type SubmitEvent } from "react";
 import { LoginError } from "../../shared/login/access";
 import { messageOf } from "../../shared/messageOf";
 import { trustAddress } from "../../shared/trust/trustAddress";
-import { access, reconnect, useLogin } from "../client";
+import { logIn, useLogin } from "../client";
 
 export function LoginCover() {
   const asked = useLogin((login) => login.asked);
@@ -26,8 +26,7 @@ function Login() {
     setBusy(true);
     setReason(undefined);
     try {
-      await access.logIn(name.trim(), password);
-      reconnect();
+      await logIn(name.trim(), password);
     } catch (error) {
       setReason(reasonOf(error));
       setPassword("");
