@@ -3,6 +3,7 @@ import { Before } from "../../control/Before";
 import { GripperButtons } from "../../control/GripperButtons";
 import { GuidePart } from "../../control/GuidePart";
 import { JogPart } from "../../control/JogPart";
+import { SavePose } from "../../control/SavePose";
 import { SpeedSlider } from "../../control/SpeedSlider";
 import { movableOf } from "../../shared/control/jog";
 import { kMovePartNames, kMoveParts } from "../../shared/pendant/view";
@@ -10,7 +11,6 @@ import { useRefusal, useSession } from "../client";
 import { goTo, usePlace } from "../place";
 import { hand } from "./hand";
 import { PosesPart } from "./PosesPart";
-import { SavePose } from "./SavePose";
 
 export function MoveView() {
   const services = useSession((now) => now.services);
@@ -37,7 +37,7 @@ export function MoveView() {
         <>
           {part === "hand" ? (
             <GuidePart hand={hand} refusal={refusal}>
-              <SavePose />
+              <SavePose hand={hand} isNamed />
             </GuidePart>
           ) : part === "poses" ? (
             <PosesPart refusal={refusal} />

@@ -1,10 +1,10 @@
 // Taught poses: the arm goes to one while its button is held; one is replaced or removed after a second tap.
 import { useState } from "react";
 import { HoldButton } from "../../control/HoldButton";
+import { SavePose } from "../../control/SavePose";
 import type { TaughtPose } from "../../shared/pendant/poses";
 import { useRefusal } from "../client";
 import { hand } from "./hand";
-import { SavePose } from "./SavePose";
 
 export function PosesPart({ refusal }: { readonly refusal: string | undefined }) {
   const saved = hand.usePoses((now) => now.poses);
@@ -12,7 +12,7 @@ export function PosesPart({ refusal }: { readonly refusal: string | undefined })
   const isLoaded = hand.usePoses((now) => now.isLoaded);
   return (
     <div className="poses">
-      <SavePose />
+      <SavePose hand={hand} isNamed />
       {problem !== undefined && (
         <p className="is-bad" role="alert">
           The poses cannot be read: {problem}.{" "}

@@ -1,12 +1,12 @@
 // The arm is moved where it is to be, while buttons are held, and that is saved under a name that is free.
-import { useEffect, useState } from "react";
+import { useState } from "react";
 import { Before } from "../../control/Before";
 import { GripperButtons } from "../../control/GripperButtons";
 import { GuidePart } from "../../control/GuidePart";
 import { JogPart } from "../../control/JogPart";
+import { SavePose } from "../../control/SavePose";
 import { SpeedSlider } from "../../control/SpeedSlider";
 import { movableOf } from "../../shared/control/jog";
-import { freeName } from "../../shared/pendant/poses";
 import { hand } from "../hand";
 import { texts } from "../texts";
 import { inMillimetres, useTool } from "./useTool";
@@ -44,7 +44,7 @@ export function Teach({ stem, onSaved }: Props) {
       {way !== "hand" && <SpeedSlider hand={hand} />}
       {gripper !== undefined && <GripperButtons gripper={gripper} refusal={refusal} />}
       <Where />
-      <Save stem={stem} onSaved={onSaved} />
+      <SavePose hand={hand} isNamed={false} {...(stem !== undefined && { stem })} onSaved={onSaved} />
     </section>
   );
 }
@@ -54,31 +54,4 @@ function Where() {
   if (tool === undefined) return null;
   const [x, y, z] = tool;
   return <p className="doc">{t.at(inMillimetres(x), inMillimetres(y), inMillimetres(z))}</p>;
-}
-
-function Save({ stem, onSaved }: { readonly stem: string | undefined; readonly onSaved: (name: string) => void }) {
-  const refusal = hand.useRefusal("call_service");
-  const isLoaded = hand.usePoses((now) => now.isLoaded);
-  const names = hand.usePoses((now) => now.names);
-  const [busy, setBusy] = useState(false);
-  const [said, setSaid] = useState<{ readonly text: string; readonly isBad: boolean }>();
-  useEffect(() => hand.poses.load(), []);
-  const name = freeName(names, stem);
-  const save = async () => {
-    setBusy(true);
-    const problem = await hand.poses.save(name);
-    setBusy(false);
-    setSaid(problem === undefined ? { text: t.saved(name), isBad: false } : { text: t.notSaved(problem), isBad: true });
-    if (problem === undefined) onSaved(name);
-  };
-  return (
-    <>
-      <button type="button" className="main" disabled={busy || !isLoaded || refusal !== undefined} title={refusal} onClick={() => void save()}>
-        {busy ? t.saving : t.save(name)}
-      </button>
-      <p role="status" className={said?.isBad === true ? "problem" : "doc"}>
-        {said?.text ?? ""}
-      </p>
-    </>
-  );
 }

@@ -80,10 +80,6 @@ export const en: Texts = {
     noRobot: "No robot is there that can be moved by hand.",
     notMoved: (why) => `Not moved: ${why}.`,
     at: (x, y, z) => `The gripper is at X ${x}, Y ${y}, Z ${z} mm.`,
-    save: (name) => `Save as ${name}`,
-    saving: "Saving…",
-    saved: (name) => `Saved as ${name}.`,
-    notSaved: (why) => `Not saved: ${why}. Try again.`,
   },
   leave: {
     title: (edits) => (edits === 1 ? "1 change is not saved yet" : `${edits} changes are not saved yet`),

@@ -60,10 +60,6 @@ export interface Texts {
     readonly noRobot: string;
     readonly notMoved: (why: string) => string;
     readonly at: (x: string, y: string, z: string) => string;
-    readonly save: (name: string) => string;
-    readonly saving: string;
-    readonly saved: (name: string) => string;
-    readonly notSaved: (why: string) => string;
   };
   readonly problem: (why: string) => string;
   /** Before an application is left whose edits the server has not taken. */
