@@ -1,5 +1,5 @@
 // The teach pendant on a phone, on the real server and cell: the arm is jogged, led by hand and sent to poses while a button is held; tasks are run.
-import { devices, type Page } from "playwright-core";
+import { devices, type Locator, type Page } from "playwright-core";
 import { watchArm, type Arm } from "./arm";
 import { findings } from "./axe";
 import { openFixture, type Fixture } from "./fixture";
@@ -130,6 +130,35 @@ describe("a phone as teach pendant", () => {
     await moves(true);
     await lift();
     await moves(false);
+  });
+
+  it("moves nothing by a second finger and says so, and stops what the first one moves", async () => {
+    await prepare("joints");
+    const session = await page.context().newCDPSession(page);
+    const at = async (on: Locator) => {
+      const box = await on.boundingBox();
+      if (box === null) throw new Error(`${String(on)} is not on the screen`);
+      return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+    };
+    const touch = (type: "touchStart" | "touchEnd", ...points: readonly { readonly x: number; readonly y: number }[]) => session.send("Input.dispatchTouchEvent", { type, touchPoints: points.map((point, id) => ({ ...point, id })) });
+    const said = page.getByText("Not moved: more than one finger is on the screen. Lift all of them, then press with one.");
+    const first = button("Joint 1 plus, while held");
+    const [thumb, second] = [await at(page.getByText("Joint 4", { exact: true })), await at(button("Joint 2 plus, while held"))];
+    await touch("touchStart", thumb);
+    await touch("touchStart", thumb, await at(first));
+    await said.waitFor();
+    await fixture.screenshot("pendant-two-fingers", page);
+    await page.waitForTimeout(500);
+    expect(arm.moves()).toBe(false);
+    await touch("touchEnd");
+    const pressed = await at(first);
+    await touch("touchStart", pressed);
+    await moves(true);
+    expect(await said.count()).toBe(0);
+    await touch("touchStart", pressed, second);
+    await said.waitFor();
+    await moves(false);
+    await touch("touchEnd");
   });
 
   it("stops when the finger leaves for a call: the page is hidden", async () => {

@@ -17,7 +17,7 @@ export function GuidePart({ hand, refusal, children }: Props) {
   return (
     <div className="guide">
       <p>Take hold of the arm with the other hand first. It gives way while you hold the button, and holds still when you let go. A heavy part in the gripper pulls it down.</p>
-      <HoldButton name="Lead the arm by hand" className="is-large" refusal={refusal} onBegin={hand.moving.guide} onEnd={hand.moving.end}>
+      <HoldButton name="Lead the arm by hand" className="is-large" refusal={refusal} moving={hand.moving} onBegin={hand.moving.guide}>
         Hold to lead the arm
       </HoldButton>
       {children}

@@ -1,5 +1,7 @@
 // A button that moves the robot while it is held, by pointer or by key.
 import { useEffect, useRef, useState, type ReactNode } from "react";
+import { useSelected } from "../page/store";
+import type { Moving } from "./moving";
 
 interface Props {
   /** What it does while it is held: `Joint 1 plus`. */
@@ -8,17 +10,21 @@ interface Props {
   readonly className?: string;
   /** Why nothing is moved now. */
   readonly refusal: string | undefined;
+  readonly moving: Moving;
+  /** Begins the motion, which ends with whatever may mean that nobody holds the button; also when the button goes. */
   readonly onBegin: () => void;
-  /** Whatever may mean that nobody holds it; also when the button goes. */
-  readonly onEnd: () => void;
   readonly children: ReactNode;
 }
 
+/** Which of two fingers means something, and which one rests on the screen, nobody knows: nothing moves, and what moves stops. */
+const kTwoFingers = "more than one finger is on the screen. Lift all of them, then press with one";
+
 const isHoldKey = (key: string): boolean => key === " " || key === "Enter";
 
-export function HoldButton({ name, title, className = "", refusal, onBegin, onEnd, children }: Props) {
+export function HoldButton({ name, title, className = "", refusal, moving, onBegin, children }: Props) {
   const [held, setHeld] = useState(false);
   const isHeld = useRef(false);
+  const isMoved = useSelected(moving.store, (now) => now.refused === undefined);
   const begin = () => {
     if (isHeld.current) return;
     isHeld.current = true;
@@ -29,12 +35,8 @@ export function HoldButton({ name, title, className = "", refusal, onBegin, onEn
     if (!isHeld.current) return;
     isHeld.current = false;
     setHeld(false);
-    onEnd();
+    moving.end();
   };
-  const ending = useRef(onEnd);
-  useEffect(() => {
-    ending.current = onEnd;
-  });
   const isRefused = refusal !== undefined;
   // Also when the button goes, or may not be pressed any more.
   useEffect(() => {
@@ -42,7 +44,7 @@ export function HoldButton({ name, title, className = "", refusal, onBegin, onEn
     const over = () => {
       isHeld.current = false;
       setHeld(false);
-      ending.current();
+      moving.end();
     };
     if (isRefused) {
       over();
@@ -52,18 +54,22 @@ export function HoldButton({ name, title, className = "", refusal, onBegin, onEn
     for (const [target, event] of events) target.addEventListener(event, over);
     return () => {
       for (const [target, event] of events) target.removeEventListener(event, over);
-      ending.current();
+      moving.end();
     };
-  }, [held, isRefused]);
+  }, [held, isRefused, moving]);
   return (
     <button
       type="button"
-      className={`hold${held ? " is-held" : ""} ${className}`}
+      className={`hold${held && isMoved ? " is-held" : ""} ${className}`}
       disabled={isRefused}
       aria-label={`${name}, while held`}
       title={refusal ?? title ?? `${name}: moves while it is held (Space or Enter, too)`}
       onPointerDown={(event) => {
-        if (event.button !== 0 || !event.isPrimary) return;
+        if (event.button !== 0) return;
+        if (!event.isPrimary) {
+          moving.refuse(kTwoFingers);
+          return;
+        }
         event.currentTarget.setPointerCapture(event.pointerId);
         begin();
       }}

@@ -17,8 +17,8 @@ export function JogButton({ part, sign, refusal, moving }: Props) {
       name={`${long} ${sign > 0 ? "plus" : "minus"}`}
       title={`${long} ${sign > 0 ? "+" : "−"}: moves while it is held (Space or Enter, too)`}
       refusal={refusal}
+      moving={moving}
       onBegin={() => moving.jog(part, sign)}
-      onEnd={moving.end}
     >
       {sign > 0 ? "+" : "−"}
     </HoldButton>

@@ -59,6 +59,11 @@ export function createMoving({ refusal, services, onRefused, onArrived }: Moving
     /** To joints [rad]. */
     goTo: (joints: readonly number[]): void => begin(goingTo(joints, store.get().share)),
     end: (): void => motion.end(),
+    /** What goes on ends, and a person is told why nothing moves. */
+    refuse(why: string): void {
+      motion.end();
+      refuse(why);
+    },
   };
 }
 

@@ -39,7 +39,7 @@ function PoseRow({ pose, refusal }: { readonly pose: TaughtPose; readonly refusa
     <li>
       <div className="pose-row">
         <b>{pose.name}</b>
-        <HoldButton name={`Go to ${pose.name}`} className="is-go" title="The arm goes there while it is held, straight in its joints; it avoids nothing" refusal={refusal} onBegin={() => hand.moving.goTo(pose.q)} onEnd={hand.moving.end}>
+        <HoldButton name={`Go to ${pose.name}`} className="is-go" title="The arm goes there while it is held, straight in its joints; it avoids nothing" refusal={refusal} moving={hand.moving} onBegin={() => hand.moving.goTo(pose.q)}>
           Hold to go
         </HoldButton>
         <button type="button" className="plain is-small" aria-label={`Remove ${pose.name}`} aria-expanded={asks} disabled={cannot !== undefined} title={cannot} onClick={() => setAsks(!asks)}>
