@@ -1,8 +1,13 @@
-// Who has the controls of the cell, and its mode; that this page has lost them, and why; and who asks for them.
+// Who has the controls of the cell, its mode, and whether the robot is slowed down; that this page has lost them, and why; and who asks for them.
+import type { ReactNode } from "react";
+import type { RobotSpeed } from "../page/pageStream";
+import { useSelected } from "../page/store";
+import { speedSign } from "../shared/control/speed";
 import { isOwn, holderText, linkWarning, modeText } from "../shared/control/texts";
 import { useStop } from "../stop/useStop";
 import { controls, useControls } from "./page";
 import { RequestBar } from "./RequestBar";
+import { SpeedSign } from "./SpeedSign";
 import { TakeButton, type TakeProps } from "./TakeButton";
 
 interface Props extends TakeProps {
@@ -12,18 +17,22 @@ interface Props extends TakeProps {
   readonly refusalToAnswer: string | undefined;
   /** Of the account. */
   readonly fetcher: typeof fetch;
+  readonly speed: RobotSpeed;
+  /** Sets the speed, while it is not the whole; nothing: the page does that under `Run`. */
+  readonly children?: ReactNode;
 }
 
-export function ControlBar({ always, address, refusal, refusalToAnswer, fetcher }: Props) {
+export function ControlBar({ always, address, refusal, refusalToAnswer, fetcher, speed, children }: Props) {
   const mode = useStop((stop) => stop.mode);
   const holder = useStop((stop) => stop.holder);
   const held = useStop((stop) => stop.held);
   const request = useStop((stop) => stop.request);
   const link = useControls((state) => state);
   const warning = linkWarning(link, holder);
+  const sign = speedSign(useSelected(speed.store, ({ share }) => share));
   const others = request !== null && !(link.kind === "asked" && link.request === request.id) ? request : undefined;
-  if (mode === undefined && warning === undefined) return null;
-  if (!always && holder === null && held === undefined && mode !== "programming" && link.kind === "none" && others === undefined) return null;
+  if (mode === undefined && warning === undefined && sign === undefined) return null;
+  if (!always && holder === null && held === undefined && mode !== "programming" && link.kind === "none" && others === undefined && sign === undefined) return null;
   const isMine = isOwn(holder, held);
   return (
     <section className={`control-bar${isMine ? " is-mine" : ""}${mode === "programming" ? " is-programming" : ""}`} aria-label="Controls of the cell">
@@ -48,6 +57,7 @@ export function ControlBar({ always, address, refusal, refusalToAnswer, fetcher 
           </div>
         </div>
       )}
+      {sign !== undefined && <SpeedSign sign={sign}>{children}</SpeedSign>}
       {others !== undefined && <RequestBar key={others.id} request={others} refusal={refusalToAnswer} fetcher={fetcher} />}
     </section>
   );

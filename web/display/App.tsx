@@ -1,7 +1,7 @@
 // The whole page: who has the controls, how the connection is, one of three views, and the way to the others.
 import { ControlBar } from "../control/ControlBar";
 import { StoppedBanner } from "../stop/StoppedBanner";
-import { access, display, logIn, ownControls, useDisplay, useLogin, useRefusal, useSession } from "./client";
+import { access, display, logIn, ownControls, robotSpeed, useDisplay, useLogin, useRefusal, useSession } from "./client";
 import { Login } from "./Login";
 import { LostServer } from "./LostServer";
 import { MoveView } from "./move/MoveView";
@@ -29,7 +29,7 @@ function Page() {
   return (
     <>
       <StoppedBanner refusal={lost ?? reset} fetcher={access.fetch} />
-      <ControlBar always address={ownControls} refusal={lost ?? take} refusalToAnswer={lost ?? answer} fetcher={access.fetch} />
+      <ControlBar always address={ownControls} refusal={lost ?? take} refusalToAnswer={lost ?? answer} fetcher={access.fetch} speed={robotSpeed} />
       <div className="display" data-connection={connection}>
         <Status />
         <PairingNotice />

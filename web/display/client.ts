@@ -22,7 +22,7 @@ export const useDisplay = <T>(select: (page: DisplayPage) => T): T => useSelecte
 export const useSession = <T>(select: (state: Session) => T): T => useSelected(session, select);
 
 const page = createPageStream(session);
-export const { login, access, fetchWithControls, api, ownControls, useLogin, logIn, problem, dismissProblem, attempt, loadDocuments } = page;
+export const { login, access, fetchWithControls, api, ownControls, useLogin, logIn, problem, dismissProblem, attempt, loadDocuments, robotSpeed } = page;
 export const rights = createRights(login);
 export const { useRefusal, useRefusalOfCommand, useRefusalToStart } = rights;
 

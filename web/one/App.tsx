@@ -1,10 +1,11 @@
 // The frame of the page: what is above on all views, and the view.
 import { Login } from "../display/Login";
 import { ControlBar } from "../control/ControlBar";
+import { SpeedOverride } from "../control/SpeedOverride";
 import { StoppedBanner } from "../stop/StoppedBanner";
 import { Applications } from "./Applications";
 import { Build } from "./Build";
-import { access, dismissProblem, logIn, ownControls, useLogin, useRefusal, useSession } from "./client";
+import { access, dismissProblem, logIn, ownControls, robotSpeed, useLogin, useRefusal, useSession } from "./client";
 import { Guide } from "./guide/Guide";
 import { Head } from "./Head";
 import { LeaveQuestion } from "./LeaveQuestion";
@@ -29,12 +30,14 @@ function Page() {
   const guide = usePlace((place) => place.guide);
   const lost = useSession((s) => s.connection === "lost");
   const away = useSession((s) => (s.connection === "open" ? undefined : "the server is not there"));
-  const [reset, take, answer] = [useRefusal("reset_stop"), useRefusal("take_controls"), useRefusal("answer_control")];
+  const [reset, take, answer, speed] = [useRefusal("reset_stop"), useRefusal("take_controls"), useRefusal("answer_control"), useRefusal("set_speed")];
   return (
     <div className={`one${lost ? " is-lost" : ""}`}>
       <Head />
       <StoppedBanner refusal={away ?? reset} fetcher={access.fetch} />
-      <ControlBar always address={ownControls} refusal={away ?? take} refusalToAnswer={away ?? answer} fetcher={access.fetch} />
+      <ControlBar always address={ownControls} refusal={away ?? take} refusalToAnswer={away ?? answer} fetcher={access.fetch} speed={robotSpeed}>
+        <SpeedOverride speed={robotSpeed} refusal={away ?? speed} />
+      </ControlBar>
       {lost && (
         <p className="notice is-bad" role="alert">
           The server is not there. The page tries again; what you change now is sent when it is back.

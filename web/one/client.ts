@@ -3,7 +3,6 @@ import type { CellPose, Core } from "../generated/messages";
 import { createPageStream } from "../page/pageStream";
 import { createRights } from "../page/rights";
 import { createStore, slowly, useSelected } from "../page/store";
-import { createApi } from "../shared/api";
 import { kNoPlaces } from "../shared/drawing/places";
 import { newestRun } from "../shared/live/shownRun";
 import type { StreamUpdate } from "../shared/messages/stream";
@@ -17,9 +16,7 @@ const shownSession = slowly(session, isUrgent);
 export const useSession = <T>(select: (state: Session) => T): T => useSelected(shownSession, select);
 
 const page = createPageStream(session);
-export const { access, fetchWithControls: fetcher, api, ownControls, useLogin, logIn, listenToStream, problem, dismissProblem, attempt, loadDocuments } = page;
-/** For what is only asked: it is answered also when the controls have just been lost. */
-export const bystander = createApi("/api/v1", access.fetch);
+export const { access, fetchWithControls: fetcher, api, bystander, ownControls, useLogin, logIn, listenToStream, problem, dismissProblem, attempt, loadDocuments, robotSpeed } = page;
 export const me = () => page.login.get().me;
 export const rights = createRights(page.login);
 export const { refusalNow, useRefusal, useRefusalOfCommand } = rights;

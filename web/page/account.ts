@@ -16,6 +16,8 @@ export interface Account {
   /** Of the account, and of who has the controls of the cell. */
   readonly fetchWithControls: typeof fetch;
   readonly api: Api;
+  /** For what is only asked: it is answered also when the controls have just been lost. */
+  readonly bystander: Api;
   /** The address of the controls, for this page. */
   readonly ownControls: () => Promise<string>;
   /** The address of a stream of this page. */
@@ -38,6 +40,7 @@ export function createAccount(onOtherLogin: () => void): Account {
     access,
     fetchWithControls,
     api: createApi("/api/v1", fetchWithControls),
+    bystander: createApi("/api/v1", access.fetch),
     ownControls: () => access.streamUrl(controlUrl(location)),
     ownStream: () => access.streamUrl(streamUrl(location)),
   };

@@ -1,13 +1,16 @@
 // The connection of a page to the server, and what every page does with it: who uses it, what is told of runs, what is in the way.
+import { createSpeedWatch, kNoSpeed, type SpeedState } from "../shared/control/speed";
 import type { Access } from "../shared/login/access";
+import { refusalTo } from "../shared/login/doings";
 import { messageOf } from "../shared/messageOf";
 import type { StreamUpdate } from "../shared/messages/stream";
 import type { Session, SessionEvent } from "../shared/session/session";
+import type { Told } from "../shared/slowly";
 import type { Store } from "../shared/store";
 import { openStream, type Connection, type Stream, type StreamHandlers } from "../shared/stream";
 import { stop } from "../stop/page";
 import { createAccount } from "./account";
-import { useSelected } from "./store";
+import { createStore, useSelected } from "./store";
 
 /** A part of the page with channels or requests of its own. */
 export interface StreamListener {
@@ -27,15 +30,31 @@ export interface PageStreamOptions {
   readonly onMalformed?: StreamHandlers["onMalformed"];
 }
 
+/** How fast the robot goes on its way. */
+export interface RobotSpeed {
+  readonly store: Told<SpeedState>;
+  /** This page has set it: 0..1. */
+  readonly told: (share: number) => void;
+}
+
 /** To be called once by a page. */
 export function createPageStream(session: Store<Session, SessionEvent>) {
   let stream: Stream | undefined;
   const account = createAccount(() => stream?.reopen());
-  const { access, api, login, ownStream } = account;
+  const { access, api, bystander, login, ownStream } = account;
   const listeners = new Set<StreamListener>();
 
   /** Shows what is in the way until somebody has read it. */
   const problem = (error: unknown): void => session.dispatch({ type: "problem", text: messageOf(error) });
+
+  const speed = createStore<SpeedState, SpeedState>(kNoSpeed, (_, next) => next);
+  const speedWatch = createSpeedWatch({
+    ask: (robot) => bystander.callService(robot, "state", {}),
+    services: () => session.get().services,
+    refusal: () => refusalTo(login.get().me, "call_service"),
+    after: (time, act) => void setTimeout(act, time),
+    onChange: speed.dispatch,
+  });
 
   function connect({ channels, take, onTaken, onConnection, onMalformed = problem }: PageStreamOptions): Stream {
     const opened = openStream(ownStream, {
@@ -43,6 +62,7 @@ export function createPageStream(session: Store<Session, SessionEvent>) {
         if (connection !== "connecting" && !access.get().asked) void access.ask().catch(() => undefined); // the account may have changed
         session.dispatch({ type: "connection", connection, ended });
         stop.connection(connection);
+        if (connection === "lost") speedWatch.forget();
         listeners.forEach((listener) => listener.connection(connection));
         onConnection?.(connection);
       },
@@ -50,6 +70,7 @@ export function createPageStream(session: Store<Session, SessionEvent>) {
       onUpdate: (update) => {
         if (update.type === "control") stop.take(update.control);
         else if (!take(update)) session.dispatchInFrame((frame) => ({ type: "update", update, frame }));
+        speedWatch.receive(update);
         onTaken(update);
         listeners.forEach((listener) => listener.update(update));
       },
@@ -103,5 +124,6 @@ export function createPageStream(session: Store<Session, SessionEvent>) {
     logIn,
     /** Loads the list of documents, which no channel tells of. */
     loadDocuments,
+    robotSpeed: { store: speed, told: speedWatch.told } satisfies RobotSpeed,
   };
 }

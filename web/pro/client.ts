@@ -25,7 +25,7 @@ export const session = createStore<Session, SessionEvent>(emptySession, applyEve
 export const view = createStore<View, Gesture>(firstView({ width: innerWidth, height: innerHeight }), applyGesture);
 
 const page = createPageStream(session);
-export const { login, access, fetchWithControls, api, ownControls, ownStream, useLogin, logIn, listenToStream, problem, dismissProblem, attempt, loadDocuments } = page;
+export const { login, access, fetchWithControls, api, ownControls, ownStream, useLogin, logIn, listenToStream, problem, dismissProblem, attempt, loadDocuments, robotSpeed } = page;
 
 /** The newest pose of the cell. It changes many times a second, so it bypasses the session. */
 export const cellPose = createStore<CellPose | undefined, CellPose | undefined>(undefined, (_, pose) => pose);

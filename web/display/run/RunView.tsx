@@ -1,20 +1,20 @@
 // Tasks: the run that is shown, how fast the robot goes, other runs, and what can be started.
 import { ModeSwitch } from "../../control/ModeSwitch";
+import { SpeedOverride } from "../../control/SpeedOverride";
 import { isOver, statusLook, statusText } from "../../shared/run/controls";
 import { watchedCore } from "../../shared/session/session";
 import { wordsOf } from "../../shared/pendant/activity";
-import { fetchWithControls, problem, useRefusal, useSession, watch } from "../client";
+import { fetchWithControls, problem, robotSpeed, useRefusal, useSession, watch } from "../client";
 import { RunCard } from "./RunCard";
-import { SpeedOverride } from "./SpeedOverride";
 import { StartList } from "./StartList";
 
 export function RunView() {
   const core = useSession(watchedCore);
-  const mode = useRefusal("set_mode");
+  const [mode, speed] = [useRefusal("set_mode"), useRefusal("set_speed")];
   return (
     <div className="run">
       {core === undefined ? <p className="empty">No task runs. Start one below.</p> : <RunCard core={core} />}
-      <SpeedOverride />
+      <SpeedOverride speed={robotSpeed} refusal={speed} />
       <OtherRuns />
       <StartList />
       <section aria-label="Mode">

@@ -1,33 +1,28 @@
 // How fast the robot goes on its way, whatever was asked for.
-import { useEffect, useRef, useState } from "react";
-import { controls } from "../../control/page";
-import { messageOf } from "../../shared/messageOf";
-import { overridable } from "../../shared/control/jog";
-import { isObject } from "../../shared/json";
-import { api, useRefusal, useSession } from "../client";
+import { useRef, useState } from "react";
+import type { RobotSpeed } from "../page/pageStream";
+import { useSelected } from "../page/store";
+import { messageOf } from "../shared/messageOf";
+import { controls } from "./page";
 
 /** Between two calls while the slider is moved [ms]; the last one comes in any case. */
 const kPace = 150;
 const kSteps = { least: 0, most: 1, step: 0.05 } as const;
 
-export function SpeedOverride() {
-  const robot = useSession((now) => overridable(now.services));
-  const refusal = useRefusal("set_speed");
-  const [share, setShare] = useState<number>();
+interface Props {
+  readonly speed: RobotSpeed;
+  /** Why this person does not set it. */
+  readonly refusal: string | undefined;
+}
+
+export function SpeedOverride({ speed, refusal }: Props) {
+  const { robot, share: known } = useSelected(speed.store, (now) => now);
+  /** Until the robot has it. */
+  const [wanted, setWanted] = useState<number>();
   const [problem, setProblem] = useState<string>();
   const pace = useRef<{ readonly timer: ReturnType<typeof setTimeout>; waiting?: number }>(undefined);
-  const isThere = useSession((now) => now.connection === "open");
-  useEffect(() => {
-    if (robot === undefined || !isThere) return;
-    api.callService(robot, "state", {}).then(
-      (state) => {
-        const set = isObject(state) ? state["speed_override"] : undefined;
-        if (typeof set === "number") setShare(set);
-      },
-      () => undefined, // it is not known, then
-    );
-  }, [robot, isThere]);
   if (robot === undefined) return null;
+  const share = wanted ?? known;
   const call = (next: number) => {
     const timer = setTimeout(() => {
       const { waiting } = pace.current ?? {};
@@ -36,21 +31,25 @@ export function SpeedOverride() {
     }, kPace);
     pace.current = { timer };
     controls.call(robot, "speed_override", { share: next }).then(
-      () => setProblem(undefined),
+      () => {
+        setProblem(undefined);
+        setWanted((now) => (now === next ? undefined : now));
+        speed.told(next);
+      },
       (error: unknown) => {
         setProblem(messageOf(error));
-        setShare(undefined);
+        setWanted(undefined);
       },
     );
   };
   const change = (next: number) => {
-    setShare(next);
+    setWanted(next);
     if (pace.current === undefined) call(next);
     else pace.current.waiting = next;
   };
   const text = share === undefined ? "not known" : share === 0 ? "it waits on its way" : `${Math.round(share * 100)} %`;
   return (
-    <section aria-label="Speed of the robot">
+    <section className="speed-override" aria-label="Speed of the robot">
       <label className="slider">
         <span>Robot speed</span>
         <input type="range" min={kSteps.least} max={kSteps.most} step={kSteps.step} value={share ?? 1} disabled={refusal !== undefined} aria-valuetext={text} onChange={(event) => change(Number(event.target.value))} />

@@ -1,0 +1,21 @@
+// That the robot goes slower than its tasks say, or stands still for that: it outlives who has set it so.
+import type { ReactNode } from "react";
+import { speedSign } from "../shared/control/speed";
+
+interface Props {
+  readonly sign: NonNullable<ReturnType<typeof speedSign>>;
+  /** Sets it; nothing: the page does that under `Run`. */
+  readonly children: ReactNode;
+}
+
+export function SpeedSign({ sign: { title, means, stands }, children }: Props) {
+  const todo = children === undefined ? "Set a higher speed under Run" : "Set a higher speed here";
+  return (
+    <div className={`speed-sign${stands ? " is-standing" : ""}`}>
+      <p key={title} role={stands ? "alert" : "status"}>
+        <strong>{title}</strong> <span>{stands ? `${means} ${todo}, and it goes on.` : means}</span>
+      </p>
+      {children}
+    </div>
+  );
+}
