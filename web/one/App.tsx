@@ -11,6 +11,7 @@ import { Head } from "./Head";
 import { LeaveQuestion } from "./LeaveQuestion";
 import { usePlace } from "./place";
 import { RunView } from "./run/RunView";
+import { texts } from "./texts";
 import { Told } from "./Told";
 
 export function App() {
@@ -29,7 +30,7 @@ function Page() {
   const [edit, view] = [usePlace((place) => place.edit), usePlace((place) => place.view)];
   const guide = usePlace((place) => place.guide);
   const lost = useSession((s) => s.connection === "lost");
-  const away = useSession((s) => (s.connection === "open" ? undefined : "the server is not there"));
+  const away = useSession((s) => (s.connection === "open" ? undefined : texts.frame.away));
   const [reset, take, answer, speed] = [useRefusal("reset_stop"), useRefusal("take_controls"), useRefusal("answer_control"), useRefusal("set_speed")];
   return (
     <div className={`one${lost ? " is-lost" : ""}`}>
@@ -40,7 +41,7 @@ function Page() {
       </ControlBar>
       {lost && (
         <p className="notice is-bad" role="alert">
-          The server is not there. The page tries again; what you change now is sent when it is back.
+          {texts.frame.lost}
         </p>
       )}
       <Problem />
@@ -57,7 +58,7 @@ function Problem() {
   return (
     <p className="notice is-bad" role="alert">
       <span>{text}</span>
-      <button type="button" className="plain" aria-label="Close this message" onClick={dismissProblem}>
+      <button type="button" className="plain" aria-label={texts.frame.closeMessage} onClick={dismissProblem}>
         ✕
       </button>
     </p>

@@ -2,11 +2,12 @@
 import { useEffect, useId, useState, type SubmitEvent } from "react";
 import { namesOf } from "../shared/documents/listed";
 import { freeDocumentName, newDocumentText } from "../shared/documents/names";
-import { counted } from "../shared/counted";
 import { api, attempt, loadDocuments, useRefusal, useSession } from "./client";
 import { author } from "./own";
 import { go } from "./place";
 import { texts } from "./texts";
+
+const t = texts.applications;
 
 export function Applications() {
   const documents = useSession((s) => s.documents);
@@ -18,7 +19,7 @@ export function Applications() {
   }, []);
   return (
     <main className="applications">
-      <h1>What shall the robot do?</h1>
+      <h1>{t.title}</h1>
       <section className="guide-offer" aria-label={texts.offer.title}>
         <h2>{texts.offer.title}</h2>
         <p>{texts.offer.about}</p>
@@ -27,8 +28,8 @@ export function Applications() {
         </button>
       </section>
       <NewApplication />
-      <h2>Your applications</h2>
-      {documents.length === 0 && <p className="quiet">{isHere ? "There are none yet: make the first one above." : "Asking the server…"}</p>}
+      <h2>{t.list}</h2>
+      {documents.length === 0 && <p className="quiet">{isHere ? t.none : t.asking}</p>}
       <ul className="application-list">
         {documents.map(({ name, doc, errors }) => (
           <li key={name}>
@@ -41,7 +42,7 @@ export function Applications() {
               }}
             >
               <strong>{name}</strong>
-              <span>{errors > 0 ? `Not complete yet: ${counted(errors, "error")}` : (doc ?? "")}</span>
+              <span>{errors > 0 ? t.incomplete(errors) : (doc ?? "")}</span>
             </a>
           </li>
         ))}
@@ -62,7 +63,7 @@ function NewApplication() {
   const make = (event: SubmitEvent) => {
     event.preventDefault();
     void attempt(async () => {
-      const name = freeDocumentName(nameFrom(typed) === "" ? "application" : nameFrom(typed), namesOf(documents));
+      const name = freeDocumentName(nameFrom(typed) === "" ? t.wish : nameFrom(typed), namesOf(documents));
       await api.putDocument(name, newDocumentText(name), { author: author() });
       await loadDocuments();
       go({ edit: name, view: "build" });
@@ -70,14 +71,14 @@ function NewApplication() {
   };
   return (
     <form className="new-application" onSubmit={make}>
-      <label htmlFor={id}>A new application</label>
+      <label htmlFor={id}>{t.newOne}</label>
       <div>
-        <input id={id} placeholder="Name, such as: sort parts" maxLength={60} value={typed} onChange={(event) => setTyped(event.target.value)} />
+        <input id={id} placeholder={t.hint} maxLength={60} value={typed} onChange={(event) => setTyped(event.target.value)} />
         <button type="submit" className="main" disabled={refusal !== undefined || offline} title={refusal}>
-          Begin
+          {t.begin}
         </button>
       </div>
-      {refusal !== undefined && <p className="quiet">Not here: {refusal}.</p>}
+      {refusal !== undefined && <p className="quiet">{t.refused(refusal)}</p>}
     </form>
   );
 }

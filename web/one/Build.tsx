@@ -10,6 +10,9 @@ import { Tasks } from "./line/Tasks";
 import { place } from "./place";
 import { focusCard } from "./select";
 import { useSheet, showSheet } from "./sheet";
+import { texts } from "./texts";
+
+const t = texts.build;
 
 /** The focus goes back to the card of what was shown. */
 function closePanel(): void {
@@ -33,19 +36,19 @@ export function Build({ name }: { readonly name: string }) {
   useEffect(() => {
     if (sheet === "panel" && panel !== null && getComputedStyle(panel).position === "absolute") panel.focus();
   }, [sheet, panel]);
-  if (unreadable !== undefined) return <main className="build-empty"><h2>{name} cannot be opened</h2><p>{unreadable.message}</p></main>;
-  if (application === undefined) return <main className="build-empty"><p role="status">Opening {name}…</p></main>;
+  if (unreadable !== undefined) return <main className="build-empty"><h2>{t.unreadable(name)}</h2><p>{unreadable.message}</p></main>;
+  if (application === undefined) return <main className="build-empty"><p role="status">{t.opening(name)}</p></main>;
   const canAdd = application.isEditable || everyStep(application).some(({ inner }) => inner?.form === "editable");
   return (
     <div className={canAdd ? "build" : "build is-read"} data-sheet={sheet ?? "none"}>
       {canAdd && <SkillLibrary />}
       <Tasks application={application} />
-      <aside className="panel" aria-label="What is selected" tabIndex={-1} ref={setPanel}>
-        <button type="button" className="plain sheet-close" aria-label="Close the settings" onClick={closePanel}>
+      <aside className="panel" aria-label={t.selected} tabIndex={-1} ref={setPanel}>
+        <button type="button" className="plain sheet-close" aria-label={t.close} onClick={closePanel}>
           ✕
         </button>
         {selected === undefined ? (
-          <p className="quiet">Choose a step to see what it does and to change it.</p>
+          <p className="quiet">{t.nothing}</p>
         ) : selected.isTask ? (
           <TaskPanel key={selected.step.id} step={selected.step} line={selected.line} isEditable={application.isEditable} />
         ) : (

@@ -6,6 +6,9 @@ import { takeBack, useEditing, useTree } from "./editing";
 import { leaveGuide } from "./guide/steps";
 import { PairPhone } from "./PairPhone";
 import { go, usePlace } from "./place";
+import { texts } from "./texts";
+
+const t = texts.frame;
 
 export function Head() {
   const edit = usePlace((place) => place.edit);
@@ -23,24 +26,24 @@ export function Head() {
           leaveGuide();
         }}
       >
-        <b>RACE</b> One
+        <b>{t.brand.name}</b> {t.brand.page}
       </a>
       {edit !== undefined && guide === undefined && (
         <>
           <h1>{title}</h1>
-          <nav aria-label="Views">
+          <nav aria-label={t.views}>
             <button type="button" aria-current={view === "build" ? "page" : undefined} onClick={() => go({ view: "build" })}>
-              Build
+              {t.build}
             </button>
             <button type="button" aria-current={view === "run" ? "page" : undefined} onClick={() => go({ view: "run" })}>
-              Run
+              {t.run}
             </button>
           </nav>
           <UndoButtons />
         </>
       )}
       <span className="head-end">
-        <a href={edit === undefined ? "/pro/" : `/pro/?edit=${encodeURIComponent(edit)}`}>{edit === undefined ? "RACE Pro" : "Open in Pro"}</a>
+        <a href={edit === undefined ? "/pro/" : `/pro/?edit=${encodeURIComponent(edit)}`}>{edit === undefined ? t.pro : t.openInPro}</a>
         <PairPhone />
         <Connection />
         <ThemeButton />
@@ -52,11 +55,11 @@ export function Head() {
 function UndoButtons() {
   const depths = useEditing((now) => now.session?.depths);
   return (
-    <span className="undo" role="group" aria-label="Changes">
-      <button type="button" className="plain" aria-label="Undo" title="Undo (Ctrl+Z)" aria-keyshortcuts="Control+Z" disabled={depths?.undo === 0} onClick={() => takeBack("undo")}>
+    <span className="undo" role="group" aria-label={t.changes}>
+      <button type="button" className="plain" aria-label={t.undo} title={t.undoKeys} aria-keyshortcuts="Control+Z" disabled={depths?.undo === 0} onClick={() => takeBack("undo")}>
         ↶
       </button>
-      <button type="button" className="plain" aria-label="Redo" title="Redo (Ctrl+Y)" aria-keyshortcuts="Control+Y" disabled={(depths?.redo ?? 0) === 0} onClick={() => takeBack("redo")}>
+      <button type="button" className="plain" aria-label={t.redo} title={t.redoKeys} aria-keyshortcuts="Control+Y" disabled={(depths?.redo ?? 0) === 0} onClick={() => takeBack("redo")}>
         ↷
       </button>
     </span>
@@ -66,11 +69,11 @@ function UndoButtons() {
 function Connection() {
   const connection = useSession((s) => s.connection);
   const waiting = useEditing((now) => now.session?.pending.length ?? 0);
-  const text = { connecting: "Connecting", open: waiting > 0 ? "Saving…" : "Saved", lost: "Connection lost" }[connection];
+  const text = { connecting: t.connecting, open: waiting > 0 ? t.saving : t.saved, lost: t.connectionLost }[connection];
   const edit = usePlace((place) => place.edit);
   return (
-    <span className={`connection is-${connection}`} role="status" aria-label="Connection">
-      {edit === undefined && connection === "open" ? "Connected" : text}
+    <span className={`connection is-${connection}`} role="status" aria-label={t.connection}>
+      {edit === undefined && connection === "open" ? t.connected : text}
     </span>
   );
 }

@@ -2,6 +2,7 @@
 import { useState } from "react";
 import { PairDialog } from "../pairing/PairDialog";
 import { api, useLogin, useRefusal } from "./client";
+import { texts } from "./texts";
 
 export function PairPhone() {
   const [isAsked, setAsked] = useState(false);
@@ -10,7 +11,7 @@ export function PairPhone() {
   return (
     <>
       <button type="button" className="link pair" onClick={() => setAsked(true)}>
-        Pair a phone
+        {texts.frame.pair}
       </button>
       {isAsked && <PairDialog api={api} me={me} refusal={refusal} onClose={() => setAsked(false)} />}
     </>

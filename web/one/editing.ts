@@ -11,6 +11,7 @@ import type { Supplies } from "../shared/timeline/changes/draft";
 import { api, listenToStream, refusalNow, session, watchApplication } from "./client";
 import { author } from "./own";
 import { skillDocuments } from "./skills";
+import { texts } from "./texts";
 
 interface Editing {
   readonly document: string | undefined;
@@ -38,7 +39,7 @@ export function untilEditing(holds: (editing: Editing) => boolean): Promise<void
       act();
     };
     const look = () => holds(store.get()) && end(resolve);
-    const late = setTimeout(() => end(() => reject(new Error("the server does not answer"))), kPatience);
+    const late = setTimeout(() => end(() => reject(new Error(texts.frame.noAnswer))), kPatience);
     const ended = store.listen(look);
     look();
   });
@@ -93,7 +94,7 @@ export function perform(make: (tree: Tree, supplies: Supplies) => Command): stri
   if (tree === undefined || open === undefined) return undefined;
   const command = refusal === undefined ? make(tree, { newId, documents: skillDocuments() }) : { reason: refusal };
   if ("reason" in command) {
-    tell(`Not done: ${command.reason}.`);
+    tell(texts.frame.notDone(command.reason));
     return undefined;
   }
   tell(undefined);
@@ -110,7 +111,7 @@ export function takeBack(which: "undo" | "redo"): void {
 /** The document as the server has written it. */
 export async function exactDocument(): Promise<ExactJson> {
   const { document } = store.get();
-  if (document === undefined) throw new Error("no application is open");
+  if (document === undefined) throw new Error(texts.frame.nothingOpen);
   const entry = readExact(await api.documentText(document));
   return (entry as { readonly document: ExactJson }).document;
 }

@@ -10,8 +10,10 @@ import { addSelectedSkill, whereToAdd } from "../step/actions";
 import { useOffered, type Offered } from "./offered";
 import { usePlace } from "../place";
 import { useApplication } from "../model";
+import { texts } from "../texts";
 
-const kTitles: Readonly<Record<Category, string>> = { motion: "Motion", gripper: "Gripper", vision: "Camera", people: "People", flow: "Time and counting" };
+const t = texts.library;
+const titleOf = (category: Category | undefined): string => (category === undefined ? t.others : t.categories[category]);
 
 export function SkillLibrary() {
   const skills = useOffered();
@@ -21,22 +23,22 @@ export function SkillLibrary() {
   const found = searchSkills(skills, query);
   const groups = [...kCategories, undefined].map((category) => ({ category, skills: found.filter((skill) => skill.category === category) }));
   return (
-    <aside className="skills" aria-label="Skills">
+    <aside className="skills" aria-label={t.title}>
       <header>
-        <h2>Skills</h2>
-        <button type="button" className="plain sheet-close" aria-label="Close the skills" onClick={() => showSheet(undefined)}>
+        <h2>{t.title}</h2>
+        <button type="button" className="plain sheet-close" aria-label={t.close} onClick={() => showSheet(undefined)}>
           ✕
         </button>
-        <input type="search" aria-label="Search skills" placeholder="Search" value={query} onChange={(event) => setQuery(event.target.value)} />
+        <input type="search" aria-label={t.searchName} placeholder={t.search} value={query} onChange={(event) => setQuery(event.target.value)} />
         <Where />
       </header>
-      {skills.length === 0 && <p className="quiet">No document of this server has skills. Mark library states as skills in RACE Pro.</p>}
-      {skills.length > 0 && found.length === 0 && <p className="quiet">No skill is called so.</p>}
+      {skills.length === 0 && <p className="quiet">{t.none}</p>}
+      {skills.length > 0 && found.length === 0 && <p className="quiet">{t.notFound}</p>}
       {groups.map(
         (group) =>
           group.skills.length > 0 && (
-            <section key={group.category ?? "other"} aria-label={group.category === undefined ? "Others" : kTitles[group.category]}>
-              <h3>{group.category === undefined ? "Others" : kTitles[group.category]}</h3>
+            <section key={group.category ?? "other"} aria-label={titleOf(group.category)}>
+              <h3>{titleOf(group.category)}</h3>
               <ul>
                 {group.skills.map((skill) => (
                   <SkillCard key={`${skill.place.document ?? ""}/${skill.id}`} skill={skill} />
@@ -55,7 +57,7 @@ function Where() {
   const [task, step] = [usePlace((place) => place.task), usePlace((place) => place.step)];
   if (application === undefined) return null;
   const where = whereToAdd(application, task, step);
-  return <p className="where">{where === undefined ? (application.isEditable ? "Add a task first." : "The tasks here can only be read.") : `Press a skill to add it ${where.text}.`}</p>;
+  return <p className="where">{where === undefined ? (application.isEditable ? t.noTask : t.readOnly) : where.text}</p>;
 }
 
 function SkillCard({ skill }: { readonly skill: Offered }) {

@@ -8,6 +8,7 @@ import type { SkillPlace } from "../../shared/timeline/changes/add";
 import { useSession } from "../client";
 import { useEditing, useTree } from "../editing";
 import { useSkillDocuments } from "../skills";
+import { texts } from "../texts";
 
 export interface Offered extends Skill {
   readonly place: SkillPlace;
@@ -17,7 +18,7 @@ export interface Offered extends Skill {
 
 function missingText(tree: Tree, id: string, here: readonly ServiceHere[]): string | undefined {
   const missing = missingServices(tree, id, here).map(serviceText);
-  return missing.length === 0 ? undefined : `Not here: ${missing.join(", ")}`;
+  return missing.length === 0 ? undefined : texts.library.missing(missing.join(", "));
 }
 
 export function offeredSkills(own: string | undefined, tree: Tree | undefined, documents: readonly SkillDocument[], here: readonly ServiceHere[]): readonly Offered[] {

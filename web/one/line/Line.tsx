@@ -4,6 +4,7 @@ import type { StepProblem } from "../../shared/timeline/problems";
 import type { TimeLine } from "../../shared/timeline/timeLine";
 import { select } from "../select";
 import { showSheet } from "../sheet";
+import { texts } from "../texts";
 import { useDragged } from "./drag";
 import { StepCard } from "./StepCard";
 
@@ -28,7 +29,7 @@ export function Line({ line, problems }: Props) {
           </Fragment>
         ))}
         {over === places.length && <li className="drop-here" aria-hidden="true" />}
-        {again !== undefined && <li className="again">then again from “{again.title}”</li>}
+        {again !== undefined && <li className="again">{texts.line.again(again.title)}</li>}
         {isEditable && (
           <li className="add-step">
             <button
@@ -39,16 +40,14 @@ export function Line({ line, problems }: Props) {
                 document.querySelector<HTMLElement>(".skills input[type=search]")?.focus();
               }}
             >
-              + {line.steps.length === 0 ? "Add the first skill" : "Add a skill"}
+              {line.steps.length === 0 ? texts.line.addFirst : texts.line.add}
             </button>
           </li>
         )}
       </ol>
       {line.others.length > 0 && (
         <details className="others">
-          <summary>
-            {line.others.length} more {line.others.length === 1 ? "step" : "steps"}, where it goes otherwise
-          </summary>
+          <summary>{texts.line.more(line.others.length)}</summary>
           <ul className="line">
             {line.others.map((step) => (
               <StepCard key={step.id} step={step} problems={problems} isEditable={false} />

@@ -5,8 +5,11 @@ import type { Failure, Step, StepParameter } from "../../shared/timeline/timeLin
 import { Picture } from "../Picture";
 import { usePlace } from "../place";
 import { select } from "../select";
+import { texts } from "../texts";
 import { useDrag, useDragged } from "./drag";
 import { Line } from "./Line";
+
+const t = texts.line;
 
 interface Props {
   readonly step: Step;
@@ -17,12 +20,11 @@ interface Props {
 /** `3 ×`, or `for ever`. */
 export function timesText(times: StepParameter | undefined): string {
   const value = times?.value.kind === "constant" ? times.value.value : undefined;
-  return typeof value !== "number" ? "" : value === 0 ? "for ever" : `${value} ×`;
+  return typeof value !== "number" ? "" : value === 0 ? t.forEver : t.times(value);
 }
 
 export function failureText(failure: Failure, times: StepParameter | undefined): string {
-  const then = { stop: "stop", next: "go on", ask: "ask" } as const;
-  return failure.kind === "retry" ? `again ${timesText(times)}, then ${then[failure.then]}` : then[failure.kind];
+  return failure.kind === "retry" ? t.retry(timesText(times), t.then[failure.then]) : t.then[failure.kind];
 }
 
 /** What tells a step from others of its kind, best first. */
@@ -56,8 +58,8 @@ export function StepCard({ step, problems, isEditable }: Props) {
           <strong>{title}</strong>
           {summary !== "" && <span className="summary">{summary}</span>}
           {step.repeat !== undefined && <span className="summary">{timesText(step.repeat)}</span>}
-          {disabled && <span className="mark">off</span>}
-          {failure !== undefined && failure.kind !== "stop" && <span className="mark">if it fails: {failureText(failure, step.times)}</span>}
+          {disabled && <span className="mark">{t.off}</span>}
+          {failure !== undefined && failure.kind !== "stop" && <span className="mark">{t.ifItFails(failureText(failure, step.times))}</span>}
           {problem !== undefined && <span className="mark is-problem">{problem.text}</span>}
         </button>
         {isEditable && <i className="grip" aria-hidden="true" onPointerDown={drag.fromGrip} />}

@@ -9,21 +9,22 @@ import { select } from "../select";
 import { showSheet } from "../sheet";
 import { useDragged } from "./drag";
 import { TaskCard } from "./TaskCard";
+import { texts } from "../texts";
+
+const t = texts.line;
 
 export function Tasks({ application }: { readonly application: Application }) {
   const problems = useProblems();
   const { tasks, isEditable, root } = application;
   const errors = useEditing((now) => now.session?.errors.length ?? 0);
   return (
-    <main className="tasks" aria-label="Tasks">
+    <main className="tasks" aria-label={t.tasks}>
       <div className="tasks-head">
-        <h2>Tasks</h2>
+        <h2>{t.tasks}</h2>
         <ReadyText problems={problems.length} errors={errors} first={problems[0]?.step} isEmpty={tasks.length === 0} />
       </div>
       {!isEditable && (
-        <p className="notice">
-          This application does more than tasks show: {root.reason}. Here you can look at it, set its values and run it.
-        </p>
+        <p className="notice">{t.rich(root.reason ?? "")}</p>
       )}
       {tasks.map((task, index) => (
         <TaskCard key={task.id} task={task} index={index} count={tasks.length} problems={problems} />
@@ -47,13 +48,13 @@ function ReadyText({ problems, errors, first, isEmpty }: ReadyProps) {
   if (problems > 0 && first !== undefined)
     return (
       <button type="button" className="todo" onClick={() => select(first)}>
-        {problems === 1 ? "1 thing is missing: show it" : `${problems} things are missing: show the first`}
+        {t.missing(problems)}
       </button>
     );
-  if (errors > 0) return <p className="todo is-text">It has errors, which RACE Pro shows.</p>;
+  if (errors > 0) return <p className="todo is-text">{t.hasErrors}</p>;
   return (
     <button type="button" className="main" onClick={() => go({ view: "run" })}>
-      Ready: go to Run
+      {t.ready}
     </button>
   );
 }
@@ -63,7 +64,7 @@ function NewTask({ isFirst, at, root }: { readonly isFirst: boolean; readonly at
   const [title, setTitle] = useState("");
   const make = (event: SubmitEvent) => {
     event.preventDefault();
-    const id = perform((tree, supplies) => addTask(tree, root, at, title.trim() === "" ? `Task ${at + 1}` : title, supplies));
+    const id = perform((tree, supplies) => addTask(tree, root, at, title.trim() === "" ? t.taskWish(at + 1) : title, supplies));
     if (id === undefined) return;
     select(id, false);
     setAsks(false);
@@ -73,25 +74,25 @@ function NewTask({ isFirst, at, root }: { readonly isFirst: boolean; readonly at
   if (!isFirst && !asks)
     return (
       <button type="button" className="add-task" onClick={() => setAsks(true)}>
-        + Add a task
+        {t.addTask}
       </button>
     );
   return (
     <form className={isFirst ? "new-task is-first" : "new-task"} onSubmit={make}>
       {isFirst && (
         <>
-          <h3>Begin with a task</h3>
-          <p>A task is a row of skills that are done one after the other: move there, pick, place. What is it to be called?</p>
+          <h3>{t.firstTask}</h3>
+          <p>{t.aboutTasks}</p>
         </>
       )}
       <div>
-        <input aria-label="Name of the task" placeholder="Name, such as: pick parts" maxLength={40} autoFocus={asks} value={title} onChange={(event) => setTitle(event.target.value)} />
+        <input aria-label={t.taskName} placeholder={t.taskHint} maxLength={40} autoFocus={asks} value={title} onChange={(event) => setTitle(event.target.value)} />
         <button type="submit" className="main">
-          Add the task
+          {t.makeTask}
         </button>
         {!isFirst && (
           <button type="button" onClick={() => setAsks(false)}>
-            Cancel
+            {t.cancel}
           </button>
         )}
       </div>

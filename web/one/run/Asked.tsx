@@ -5,6 +5,7 @@ import { isWayOut } from "../../shared/display/answers";
 import { limits, read } from "../../shared/display/numberText";
 import { canAnswer } from "../../shared/display/page";
 import { answer, press, useDisplay } from "./display";
+import { texts } from "../texts";
 
 export function Asked() {
   const message = useDisplay((page) => page.content?.message);
@@ -12,7 +13,7 @@ export function Asked() {
   const open = useDisplay((page) => page.connection === "open");
   if (message === undefined && question === undefined) return null;
   return (
-    <section className="asked" aria-label="The task says">
+    <section className="asked" aria-label={texts.runView.says}>
       {message?.image !== undefined && <img src={message.image} alt="" />}
       {message !== undefined && message.text !== "" && <p className="said">{message.text}</p>}
       {message !== undefined && message.buttons.length > 0 && (
@@ -32,7 +33,7 @@ export function Asked() {
 function QuestionHere({ question }: { readonly question: Question }) {
   const may = useDisplay(canAnswer);
   return (
-    <div className="question" role="group" aria-label="Question">
+    <div className="question" role="group" aria-label={texts.runView.question}>
       <div role="alert">
         <h2>{question.text}</h2>
       </div>
@@ -68,7 +69,7 @@ function NumberHere({ id, entry, may }: { readonly id: number; readonly entry: E
       </label>
       <input id={label} inputMode="decimal" value={text} onChange={(event) => setText(event.target.value)} />
       <button type="submit" className="main" disabled={!may || "problem" in outcome}>
-        Answer
+        {texts.runView.answer}
       </button>
     </form>
   );

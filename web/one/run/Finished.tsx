@@ -4,11 +4,14 @@ import type { Run } from "../../generated/messages";
 import { isBadOutcome, isOver } from "../../shared/run/controls";
 import { runTime } from "../../shared/runs/texts";
 import { api, useCore } from "../client";
+import { texts } from "../texts";
+
+const t = texts.runView;
 
 /** Of the runs that the server has stored, the last 100. */
 export function Finished({ name }: { readonly name: string }) {
   const core = useCore();
-  const over = core === undefined || isOver(core) ? (core?.id ?? "none") : "under way";
+  const over = core === undefined || isOver(core) ? (core?.id ?? "none") : "going";
   const [runs, setRuns] = useState<readonly Run[]>([]);
   useEffect(() => {
     let current = true;
@@ -26,18 +29,18 @@ export function Finished({ name }: { readonly name: string }) {
   const [last] = ended;
   if (ended.length + failed.length === 0) return null;
   return (
-    <dl className="finished" aria-label="Runs until now">
+    <dl className="finished" aria-label={t.untilNow}>
       <div>
-        <dt>Done</dt>
+        <dt>{t.doneCount}</dt>
         <dd>{ended.length}</dd>
       </div>
       <div>
-        <dt>Failed</dt>
+        <dt>{t.failedCount}</dt>
         <dd>{failed.length}</dd>
       </div>
       {last !== undefined && (
         <div>
-          <dt>Cycle time</dt>
+          <dt>{t.cycleTime}</dt>
           <dd>{runTime(last)}</dd>
         </div>
       )}

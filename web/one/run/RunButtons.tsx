@@ -5,6 +5,9 @@ import { useEditing } from "../editing";
 import { useProblems } from "../model";
 import { go } from "../place";
 import { select } from "../select";
+import { texts } from "../texts";
+
+const t = texts.runView;
 
 export function RunButtons({ name }: { readonly name: string }) {
   const core = useCore();
@@ -14,7 +17,7 @@ export function RunButtons({ name }: { readonly name: string }) {
   const commands = allowed(core);
   const isNew = core === undefined || commands.has("again");
   const [problem] = problems;
-  const notReady = !isNew || (problem === undefined && errors === 0) ? undefined : (problem?.text ?? "it has errors");
+  const notReady = !isNew || (problem === undefined && errors === 0) ? undefined : (problem?.text ?? t.hasErrors);
   const begin = async () => {
     const made = await api.createCore(name, {});
     session.dispatch({ type: "update", update: { type: "core", core: made } });
@@ -22,15 +25,15 @@ export function RunButtons({ name }: { readonly name: string }) {
   };
   const run = (command: "start" | "pause" | "resume" | "stop") => void attempt(async () => core !== undefined && (await api[command](core.id)));
   return (
-    <section className="run-buttons" aria-label="Start and stop">
-      {isNew && <RunButton command="again" name={core === undefined ? "Start" : "Start again"} isMain disabled={lost || notReady !== undefined} act={() => void attempt(begin)} />}
-      {commands.has("start") && <RunButton command="start" name="Start" isMain disabled={lost} act={() => run("start")} />}
-      {commands.has("resume") && <RunButton command="resume" name="Go on" isMain disabled={lost} act={() => run("resume")} />}
-      {commands.has("pause") && <RunButton command="pause" name="Pause" hint={kEffects.pause} disabled={lost} act={() => run("pause")} />}
-      {commands.has("stop") && <RunButton command="stop" name="End" hint={kEffects.stop} disabled={lost} act={() => run("stop")} />}
+    <section className="run-buttons" aria-label={t.buttons}>
+      {isNew && <RunButton command="again" name={core === undefined ? t.start : t.startAgain} isMain disabled={lost || notReady !== undefined} act={() => void attempt(begin)} />}
+      {commands.has("start") && <RunButton command="start" name={t.start} isMain disabled={lost} act={() => run("start")} />}
+      {commands.has("resume") && <RunButton command="resume" name={t.goOn} isMain disabled={lost} act={() => run("resume")} />}
+      {commands.has("pause") && <RunButton command="pause" name={t.pause} hint={kEffects.pause} disabled={lost} act={() => run("pause")} />}
+      {commands.has("stop") && <RunButton command="stop" name={t.end} hint={kEffects.stop} disabled={lost} act={() => run("stop")} />}
       {notReady !== undefined && (
         <p>
-          Not complete yet: {notReady}.{" "}
+          {t.incomplete(notReady)}{" "}
           <button
             type="button"
             className="link"
@@ -39,7 +42,7 @@ export function RunButtons({ name }: { readonly name: string }) {
               if (problem !== undefined) select(problem.step);
             }}
           >
-            Show it
+            {t.showIt}
           </button>
         </p>
       )}
@@ -63,7 +66,7 @@ function RunButton({ command, name, hint, isMain = false, disabled, act }: Butto
       <button type="button" className={isMain ? "main" : ""} disabled={disabled || refusal !== undefined} title={refusal ?? hint} onClick={act}>
         {name}
       </button>
-      {refusal !== undefined && isMain && <p>Not now: {refusal}.</p>}
+      {refusal !== undefined && isMain && <p>{t.notNow(refusal)}</p>}
     </>
   );
 }

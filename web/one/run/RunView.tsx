@@ -12,6 +12,9 @@ import { treeOfRun, useFailure } from "./failed";
 import { Finished } from "./Finished";
 import { ModeHere } from "./ModeHere";
 import { RunButtons } from "./RunButtons";
+import { texts } from "../texts";
+
+const t = texts.runView;
 
 export function RunView({ name }: { readonly name: string }) {
   const application = useApplication();
@@ -28,39 +31,37 @@ export function RunView({ name }: { readonly name: string }) {
   const look = core === undefined ? "ready" : statusLook(core);
   const step = progress.now.at(-1);
   return (
-    <main className={`run is-${look}`} aria-label="Run">
-      <section className="now" aria-label="Now">
-        <p className="status" role="status" aria-label="Run status">
-          {statusOf(look)}
+    <main className={`run is-${look}`} aria-label={t.name}>
+      <section className="now" aria-label={t.now}>
+        <p className="status" role="status" aria-label={t.status}>
+          {t.statuses[look]}
         </p>
-        <Headline title={isGoing ? (step?.title ?? "…") : core !== undefined && isOver(core) ? endOf(look) : "Ready to start"} icon={isGoing ? step?.about.icon : undefined} />
+        <Headline title={isGoing ? (step?.title ?? "…") : core !== undefined && isOver(core) ? endOf(look) : t.ready} icon={isGoing ? step?.about.icon : undefined} />
         {isGoing && progress.now.length > 1 && <p className="within">{progress.now.slice(0, -1).map(({ title }) => title).join(" › ")}</p>}
         {isGoing && progress.next !== undefined && (
           <p className="next">
-            Next: <b>{progress.next.title}</b>
+            {t.next} <b>{progress.next.title}</b>
           </p>
         )}
         {core !== undefined && <p className="quiet">{goesOnMeanwhile(core)}</p>}
         {isGoing && progress.line !== undefined && <Steps progress={progress} />}
       </section>
       {failure !== undefined && (core === undefined || isOver(core) || progress.failing || step?.id !== failure.step.id) && (
-        <section className="wrong" aria-label="What went wrong">
-          <h2>
-            {failure.step.title}: {failure.title}
-          </h2>
+        <section className="wrong" aria-label={t.wrong}>
+          <h2>{t.failure(failure.step.title, failure.title)}</h2>
           {failure.why !== undefined && <p>{failure.why}</p>}
           {failure.advice !== "" && <p className="advice">{failure.advice}</p>}
-          {isGoing && failure.step.failure !== undefined && <p className="quiet">If it fails: {failureText(failure.step.failure, failure.step.times)}.</p>}
+          {isGoing && failure.step.failure !== undefined && <p className="quiet">{t.ifItFails(failureText(failure.step.failure, failure.step.times))}</p>}
         </section>
       )}
       {core?.status === "faulted" && failure === undefined && (
-        <section className="wrong" aria-label="What went wrong">
-          <h2>The program itself has an error</h2>
+        <section className="wrong" aria-label={t.wrong}>
+          <h2>{t.fault}</h2>
           <p>{core.fault?.message}</p>
-          <p className="advice">Who knows RACE Pro can find the place. You can start again.</p>
+          <p className="advice">{t.faultAdvice}</p>
         </section>
       )}
-      {look === "failed" && failure === undefined && <p className="wrong is-short">{isBadOutcome(core?.outcome) ? `It ended at “${core?.outcome ?? ""}”.` : ""}</p>}
+      {look === "failed" && failure === undefined && <p className="wrong is-short">{isBadOutcome(core?.outcome) ? t.outcome(core?.outcome ?? "") : ""}</p>}
       <Asked />
       <RunButtons name={name} />
       <ModeHere />
@@ -69,12 +70,7 @@ export function RunView({ name }: { readonly name: string }) {
   );
 }
 
-function statusOf(look: string): string {
-  const texts: Readonly<Record<string, string>> = { ready: "Not started", running: "Running", paused: "Paused", interrupted: "Interrupted: it waits until you let it go on", ended: "Done", failed: "Stopped by an error", faulted: "Stopped by an error", aborted: "Stopped" };
-  return texts[look] ?? look;
-}
-
-const endOf = (look: string): string => (look === "ended" ? "All done" : look === "aborted" ? "It was stopped" : "Something went wrong");
+const endOf = (look: string): string => (look === "ended" ? t.done : look === "aborted" ? t.stopped : t.failed);
 
 function Headline({ title, icon }: { readonly title: string; readonly icon: string | undefined }) {
   return (
@@ -90,7 +86,7 @@ function Steps({ progress: { line, now, done } }: { readonly progress: Progress 
   const steps = (line?.steps ?? []).filter(({ disabled }) => !disabled);
   const current = now.at(-1)?.id;
   return (
-    <ol className="progress" aria-label={`Step ${Math.min(done + 1, steps.length)} of ${steps.length}`}>
+    <ol className="progress" aria-label={t.progress(Math.min(done + 1, steps.length), steps.length)}>
       {steps.map(({ id, title }, i) => (
         <li key={id} className={id === current ? "is-now" : i < done ? "is-done" : ""} aria-current={id === current ? "step" : undefined}>
           <span>{title}</span>

@@ -2,6 +2,7 @@
 import type { ExactJson } from "../../shared/edit/exact";
 import type { JsonValue } from "../../shared/json";
 import type { SkillChoice } from "../../shared/skills/skill";
+import { texts } from "../texts";
 
 interface Common {
   readonly id: string;
@@ -27,7 +28,7 @@ export function ChoiceField({ id, disabled, choices, value, set }: ChoiceProps) 
         if (choice !== undefined) set(choice.value);
       }}
     >
-      {chosen === -1 && <option value={-1}>{value === undefined ? "Choose…" : JSON.stringify(value)}</option>}
+      {chosen === -1 && <option value={-1}>{value === undefined ? texts.value.choose : JSON.stringify(value)}</option>}
       {choices.map((choice, i) => (
         <option key={choice.title} value={i}>
           {choice.title}

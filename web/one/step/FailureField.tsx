@@ -4,9 +4,11 @@ import type { Failure, Step, Then, TimeLine } from "../../shared/timeline/timeLi
 import { perform } from "../editing";
 import { ownerOf } from "./StepPanel";
 import { ParameterField } from "./ParameterField";
+import { texts } from "../texts";
 
-const kKinds: readonly (readonly [kind: Failure["kind"], text: string])[] = [["stop", "Stop the task"], ["retry", "Try again"], ["ask", "Ask a person"], ["next", "Go on with the next step"]];
-const kThens: readonly (readonly [then: Then, text: string])[] = [["stop", "stop the task"], ["ask", "ask a person"], ["next", "go on with the next step"]];
+const t = texts.step;
+const kKinds: readonly Failure["kind"][] = ["stop", "retry", "ask", "next"];
+const kThens: readonly Then[] = ["stop", "ask", "next"];
 
 interface Props {
   readonly step: Step;
@@ -20,22 +22,22 @@ export function FailureField({ step, line, disabled }: Props) {
   const set = (next: Failure) => void perform((tree, supplies) => setFailure(tree, step.id, next, supplies));
   return (
     <fieldset className="failure" disabled={disabled}>
-      <legend>If it fails</legend>
-      {kKinds.map(([kind, text]) => (
+      <legend>{t.ifItFails}</legend>
+      {kKinds.map((kind) => (
         <label key={kind} className="radio">
           <input type="radio" name={`failure-${step.id}`} checked={failure.kind === kind} onChange={() => set(kind === "retry" ? { kind, then: failure.kind === "retry" ? failure.then : failure.kind } : { kind })} />
-          <span>{text}</span>
+          <span>{t.failures[kind]}</span>
         </label>
       ))}
       {failure.kind === "retry" && (
         <>
           {times !== undefined && <ParameterField state={ownerOf(times)} line={line} parameter={times} problem={undefined} disabled={disabled} />}
           <label className="then">
-            <span>If it fails still</span>
-            <select value={failure.then} onChange={(event) => set({ kind: "retry", then: kThens.find(([then]) => then === event.target.value)?.[0] ?? "stop" })}>
-              {kThens.map(([then, text]) => (
+            <span>{t.ifItFailsStill}</span>
+            <select value={failure.then} onChange={(event) => set({ kind: "retry", then: kThens.find((then) => then === event.target.value) ?? "stop" })}>
+              {kThens.map((then) => (
                 <option key={then} value={then}>
-                  {text}
+                  {t.thens[then]}
                 </option>
               ))}
             </select>
@@ -43,11 +45,11 @@ export function FailureField({ step, line, disabled }: Props) {
         </>
       )}
       <details>
-        <summary>What can go wrong</summary>
+        <summary>{t.errors}</summary>
         <ul className="errors">
           {errors.map(({ name, title, advice }) => (
             <li key={name}>
-              <b>{title}.</b> {advice}
+              <b>{t.errorTitle(title)}</b> {advice}
             </li>
           ))}
         </ul>
@@ -59,11 +61,11 @@ export function FailureField({ step, line, disabled }: Props) {
 export function OutcomeFields({ step, disabled }: { readonly step: Step; readonly disabled: boolean }) {
   return step.outcomes.map(({ port, goes }) => (
     <fieldset key={port.name} className="failure" disabled={disabled}>
-      <legend>“{port.title}”</legend>
+      <legend>{t.outcome(port.title)}</legend>
       {(["next", "end"] as const).map((way) => (
         <label key={way} className="radio">
           <input type="radio" name={`${step.id}-${port.name}`} checked={goes === way} onChange={() => void perform((tree, supplies) => setOutcome(tree, step.id, port.name, way, supplies))} />
-          <span>{way === "next" ? "Go on with the next step" : "The task is done"}</span>
+          <span>{t.outcomes[way]}</span>
         </label>
       ))}
     </fieldset>

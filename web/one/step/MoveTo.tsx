@@ -4,6 +4,7 @@ import type { Application } from "../../shared/timeline/read";
 import type { Step, TimeLine } from "../../shared/timeline/timeLine";
 import { everyStep, findStep } from "../model";
 import { dropStep } from "./actions";
+import { texts } from "../texts";
 
 interface Props {
   readonly step: Step;
@@ -20,7 +21,7 @@ export function MoveTo({ step, line, application, disabled }: Props) {
   return (
     <div className="repeat">
       <label>
-        <span>Move it to</span>
+        <span>{texts.step.moveTo}</span>
         <select disabled={disabled} value={place?.id} onChange={(event) => setChosen(event.target.value)}>
           {places.map(({ id, title }) => (
             <option key={id} value={id}>
@@ -30,7 +31,7 @@ export function MoveTo({ step, line, application, disabled }: Props) {
         </select>
       </label>
       <button type="button" disabled={disabled} onClick={() => place?.inner !== undefined && dropStep(step.id, { composite: place.inner.id, index: place.inner.steps.length })}>
-        Move
+        {texts.step.move}
       </button>
     </div>
   );

@@ -2,6 +2,7 @@
 import { useState } from "react";
 import type { ExactJson } from "../../shared/edit/exact";
 import { limitsText, readNumber, shownNumber, wordFor, type NumberField } from "../../shared/skills/form";
+import { texts } from "../texts";
 
 interface Props {
   readonly id: string;
@@ -31,7 +32,7 @@ export function NumberInput({ id, label, disabled, field, value, set }: Props) {
       {field.kind === "slider" && (
         <input
           type="range"
-          aria-label={`${label}, slider`}
+          aria-label={texts.value.slider(label)}
           disabled={disabled}
           min={(field.min ?? 0) * field.factor}
           max={(field.max ?? 0) * field.factor}
@@ -66,7 +67,7 @@ export function NumberInput({ id, label, disabled, field, value, set }: Props) {
       </span>
       {problem !== undefined && (
         <p className="problem" role="alert">
-          {problem === limitsText(field) ? `This has to be ${problem}` : `This has to be ${problem.replace(", please", "")}`}
+          {texts.value.wrong(problem === limitsText(field) ? problem : problem.replace(", please", ""))}
         </p>
       )}
     </div>
@@ -87,7 +88,7 @@ interface StepProps {
 function StepButton({ sign, label, disabled, field, number, set }: StepProps) {
   const next = readNumber(field, String(number + sign * field.step));
   return (
-    <button type="button" aria-label={`${label}: one ${sign === 1 ? "more" : "less"}`} disabled={disabled || "problem" in next} onClick={() => "value" in next && set(next.value)}>
+    <button type="button" aria-label={texts.value[sign === 1 ? "more" : "less"](label)} disabled={disabled || "problem" in next} onClick={() => "value" in next && set(next.value)}>
       {sign === 1 ? "+" : "−"}
     </button>
   );

@@ -13,6 +13,9 @@ import { PoseField } from "./PoseField";
 import { TextField } from "./TextField";
 import { TextsField } from "./TextsField";
 import { useLabels } from "./known";
+import { texts } from "../texts";
+
+const t = texts.value;
 
 interface Props {
   /** The state that has the parameter. */
@@ -32,10 +35,10 @@ export function ParameterField({ state, line, parameter: { about, value }, probl
   const constant = value.kind === "constant" ? value.value : undefined;
   const field = fieldOf(about, constant);
   const common = { id, disabled, label: about.title };
-  const texts = Array.isArray(constant) ? constant.filter((item): item is string => typeof item === "string") : [];
+  const items = Array.isArray(constant) ? constant.filter((item): item is string => typeof item === "string") : [];
   const isElsewhere = value.kind === "constant" && value.state !== state;
   const entry = () => {
-    if (value.kind === "computed") return <output id={id} className="fixed">Computed in RACE Pro: {value.text}</output>;
+    if (value.kind === "computed") return <output id={id} className="fixed">{t.computed(value.text)}</output>;
     switch (field.kind) {
       case "found":
         return <FoundField state={state} line={line} name={about.name} taken={value.kind === "taken" ? value.source.step : undefined} domain={about.domain} {...common} />;
@@ -49,9 +52,9 @@ export function ParameterField({ state, line, parameter: { about, value }, probl
       case "label":
         return <LabelField {...common} value={typeof constant === "string" ? constant : ""} set={set} />;
       case "labels":
-        return <LabelsField {...common} values={texts} set={set} />;
+        return <LabelsField {...common} values={items} set={set} />;
       case "texts":
-        return about.name === "labels" ? <LabelsField {...common} values={texts} set={set} /> : <TextsField {...common} known={[]} values={texts} set={set} />;
+        return about.name === "labels" ? <LabelsField {...common} values={items} set={set} /> : <TextsField {...common} known={[]} values={items} set={set} />;
       case "colour":
         return <ColourField {...common} value={typeof constant === "string" ? constant : ""} set={set} />;
       case "text":
@@ -59,7 +62,7 @@ export function ParameterField({ state, line, parameter: { about, value }, probl
       case "toggle":
         return <ToggleField {...common} value={constant === true} set={set} />;
       case "other":
-        return <output id={id} className="fixed">{constant === undefined ? "is set in RACE Pro" : valueText(about, constant)}</output>;
+        return <output id={id} className="fixed">{constant === undefined ? t.ofPro : valueText(about, constant)}</output>;
     }
   };
   return (
@@ -68,7 +71,7 @@ export function ParameterField({ state, line, parameter: { about, value }, probl
       {entry()}
       {problem !== undefined && <p className="problem">{problem}</p>}
       {about.doc !== undefined && <p className="doc">{about.doc}</p>}
-      {isElsewhere && <p className="doc">This value is used in several steps.</p>}
+      {isElsewhere && <p className="doc">{t.usedElsewhere}</p>}
     </div>
   );
 }
@@ -101,8 +104,8 @@ interface FoundProps extends LabelProps {
 function FoundField({ id, disabled, state, line, name, domain, taken }: FoundProps) {
   const tree = useTree();
   const sources = tree === undefined ? [] : sourcesOf(tree, line.steps, state, domain);
-  const titleOf = (step: string) => line.steps.find((each) => each.id === step)?.title ?? "a step before";
-  if (sources.length === 0 && taken === undefined) return <output id={id} className="fixed">Put a step before this one that finds a part.</output>;
+  const titleOf = (step: string) => line.steps.find((each) => each.id === step)?.title ?? t.stepBefore;
+  if (sources.length === 0 && taken === undefined) return <output id={id} className="fixed">{t.noFinder}</output>;
   return (
     <select
       id={id}
@@ -113,11 +116,11 @@ function FoundField({ id, disabled, state, line, name, domain, taken }: FoundPro
         if (source !== undefined) perform((now, supplies) => setSource(now, state, name, source, supplies));
       }}
     >
-      {taken === undefined && <option value="">Choose…</option>}
-      {taken !== undefined && !sources.some(({ step }) => step === taken) && <option value={taken}>{titleOf(taken)} (off)</option>}
+      {taken === undefined && <option value="">{t.choose}</option>}
+      {taken !== undefined && !sources.some(({ step }) => step === taken) && <option value={taken}>{t.off(titleOf(taken))}</option>}
       {sources.map(({ step }) => (
         <option key={step} value={step}>
-          What “{titleOf(step)}” has found
+          {t.foundBy(titleOf(step))}
         </option>
       ))}
     </select>

@@ -7,6 +7,8 @@ import { Teach } from "../teach/Teach";
 import { texts } from "../texts";
 import { usePoses } from "./known";
 
+const t = texts.pose;
+
 /** With the 3D view, which is large. */
 const PosePreview = lazy(() => import("./PosePreview").then(({ PosePreview: shown }) => ({ default: shown })));
 
@@ -42,26 +44,26 @@ export function PoseField({ id, label, disabled, value, set }: Props) {
   return (
     <div className="pose">
       <select id={id} disabled={disabled} value={typed !== undefined ? kOther : (value ?? "-")} onChange={(event) => choose(event.target.value)}>
-        {value === undefined && <option value="-">Choose…</option>}
+        {value === undefined && <option value="-">{texts.value.choose}</option>}
         {[...new Set([...(value === undefined ? [] : [value]), ...names])].map((name) => (
           <option key={name} value={name}>
             {name}
           </option>
         ))}
-        <option value={kOther}>Another…</option>
+        <option value={kOther}>{t.another}</option>
       </select>
       {typed !== undefined && (
         <span className="add-text">
-          <input aria-label={`${label}: name of the pose`} autoFocus placeholder="Its name" maxLength={32} value={typed} onChange={(event) => setTyped(event.target.value)} onKeyDown={(event) => event.key === "Enter" && take()} />
+          <input aria-label={t.name(label)} autoFocus placeholder={t.hint} maxLength={32} value={typed} onChange={(event) => setTyped(event.target.value)} onKeyDown={(event) => event.key === "Enter" && take()} />
           <button type="button" disabled={reasonAgainstPose(typed) !== undefined} onClick={take}>
-            Use it
+            {t.use}
           </button>
         </span>
       )}
-      {reason !== undefined && <p className="problem">A pose is called by {reason}</p>}
+      {reason !== undefined && <p className="problem">{t.called(reason)}</p>}
       {value !== undefined && hasCell && (
         <button type="button" aria-expanded={shows} disabled={known === undefined || known.length === 0} onClick={() => setShows(!shows)}>
-          {shows ? "Hide the arm" : "Show the arm there"}
+          {shows ? t.hide : t.show}
         </button>
       )}
       {!disabled && (
@@ -70,10 +72,10 @@ export function PoseField({ id, label, disabled, value, set }: Props) {
         </button>
       )}
       {teaches && !disabled && <Teach onSaved={set} />}
-      {problem !== undefined && <p className="problem">The taught poses cannot be read: {problem}.</p>}
-      {joints !== undefined && value !== undefined && known === undefined && <p className="problem">Nobody has taught this pose yet.</p>}
+      {problem !== undefined && <p className="problem">{t.unreadable(problem)}</p>}
+      {joints !== undefined && value !== undefined && known === undefined && <p className="problem">{t.notTaught}</p>}
       {shows && known !== undefined && value !== undefined && (
-        <Suspense fallback={<p className="doc">Loading the view…</p>}>
+        <Suspense fallback={<p className="doc">{t.loading}</p>}>
           <PosePreview key={value} name={value} joints={known} />
         </Suspense>
       )}

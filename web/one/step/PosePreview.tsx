@@ -5,9 +5,10 @@ import { listenToTheme } from "../../pro/theme/theme";
 import { createHand } from "../../shared/cell/hand";
 import { messageOf } from "../../shared/messageOf";
 import { access, api } from "../client";
+import { texts } from "../texts";
 
 /** Nothing is pulled here. */
-const kNoHand = createHand({ name: "preview", send: () => Promise.reject(new Error("this is a picture")), wait: () => Promise.resolve(), onRefused: () => undefined });
+const kNoHand = createHand({ name: "preview", send: () => Promise.reject(new Error("picture")), wait: () => Promise.resolve(), onRefused: () => undefined });
 
 async function fill(scene: CellScene, joints: readonly number[]): Promise<void> {
   const { bodies, robots } = await api.cell();
@@ -48,7 +49,7 @@ export function PosePreview({ name, joints }: Props) {
   return (
     <figure className="preview">
       <div ref={frame} className="preview-frame" />
-      <figcaption>{problem === undefined ? `The arm at “${name}”. It does not move.` : `It cannot be shown: ${problem}`}</figcaption>
+      <figcaption>{problem === undefined ? texts.pose.shown(name) : texts.pose.notShown(problem)}</figcaption>
     </figure>
   );
 }

@@ -11,6 +11,9 @@ import { MoveTo } from "./MoveTo";
 import { FailureField, OutcomeFields } from "./FailureField";
 import { ParameterField } from "./ParameterField";
 import { StepTools } from "./StepTools";
+import { texts } from "../texts";
+
+const t = texts.step;
 
 interface Props {
   readonly step: Step;
@@ -25,8 +28,8 @@ export function StepPanel({ step, line, application }: Props) {
     <>
       <TitleField step={step} isEditable={isEditable} />
       {step.about.doc !== undefined && <p className="doc">{step.about.doc}</p>}
-      {line.form !== "editable" && <p className="notice">This step was made in RACE Pro. Its values can be set here; where it leads can be changed there.</p>}
-      {refusal !== undefined && <p className="notice">You can look at it: {refusal}.</p>}
+      {line.form !== "editable" && <p className="notice">{t.ofPro}</p>}
+      {refusal !== undefined && <p className="notice">{t.onlyToLookAt(refusal)}</p>}
       <Parameters step={step} line={line} disabled={refusal !== undefined} />
       {step.repeat !== undefined && <ParameterField key="repeat" state={ownerOf(step.repeat)} line={line} parameter={step.repeat} problem={undefined} disabled={!isEditable} />}
       {line.form === "editable" && (
@@ -55,7 +58,7 @@ export function TitleField({ step, isEditable }: { readonly step: Step; readonly
     <div className="panel-title">
       <Picture name={step.kind === "loop" ? "repeat" : step.kind === "task" ? "task" : step.about.icon} category={step.about.category} />
       {isEditable ? (
-        <input aria-label="Name" maxLength={40} value={draft ?? step.title} onChange={(event) => setDraft(event.target.value)} onBlur={commit} onKeyDown={(event) => event.key === "Enter" && commit()} />
+        <input aria-label={t.name} maxLength={40} value={draft ?? step.title} onChange={(event) => setDraft(event.target.value)} onBlur={commit} onKeyDown={(event) => event.key === "Enter" && commit()} />
       ) : (
         <h2>{step.title}</h2>
       )}
@@ -71,12 +74,12 @@ function Parameters({ step, line, disabled }: { readonly step: Step; readonly li
     <ParameterField key={parameter.about.name} state={step.id} line={line} parameter={parameter} disabled={disabled} problem={problems.find((problem) => problem.parameter === parameter.about.name)?.text} />
   );
   return (
-    <section aria-label="Settings" className="parameters">
+    <section aria-label={t.settings} className="parameters">
       {problems.filter((problem) => problem.parameter === undefined).map(({ text }) => <p key={text} className="problem">{text}</p>)}
       {usual.map(field)}
       {advanced.length > 0 && (
         <details>
-          <summary>More settings</summary>
+          <summary>{t.moreSettings}</summary>
           {advanced.map(field)}
         </details>
       )}

@@ -5,6 +5,7 @@ import { FailureField } from "./FailureField";
 import { ParameterField } from "./ParameterField";
 import { ownerOf, TitleField } from "./StepPanel";
 import { StepTools } from "./StepTools";
+import { texts } from "../texts";
 
 interface Props {
   readonly step: Step;
@@ -20,11 +21,9 @@ export function TaskPanel({ step, line, isEditable }: Props) {
     <>
       <TitleField step={step} isEditable={!disabled} />
       {step.inner !== undefined && step.inner.form !== "editable" && (
-        <p className="notice">
-          This task can be looked at and run, and its values can be set: {step.inner.reason}. RACE Pro changes it.
-        </p>
+        <p className="notice">{texts.step.richTask(step.inner.reason ?? "")}</p>
       )}
-      <section aria-label="Settings" className="parameters">
+      <section aria-label={texts.step.settings} className="parameters">
         {step.parameters.filter(({ about }) => !about.internal).map((parameter) => (
           <ParameterField key={parameter.about.name} state={step.id} line={line} parameter={parameter} problem={undefined} disabled={refusal !== undefined} />
         ))}

@@ -1,6 +1,7 @@
 // Several texts: known ones are switched on and off, others are typed.
 import { useState } from "react";
 import type { ExactJson } from "../../shared/edit/exact";
+import { texts } from "../texts";
 
 interface Props {
   readonly id: string;
@@ -30,9 +31,9 @@ export function TextsField({ id, label, disabled, known, values, set }: Props) {
         ))}
       </div>
       <span className="add-text">
-        <input id={id} disabled={disabled} placeholder="Another" maxLength={80} value={typed} onChange={(event) => setTyped(event.target.value)} onKeyDown={(event) => event.key === "Enter" && add()} />
+        <input id={id} disabled={disabled} placeholder={texts.value.another} maxLength={80} value={typed} onChange={(event) => setTyped(event.target.value)} onKeyDown={(event) => event.key === "Enter" && add()} />
         <button type="button" disabled={disabled || typed.trim() === ""} onClick={add}>
-          Add
+          {texts.value.add}
         </button>
       </span>
     </div>

@@ -11,20 +11,21 @@ import { findStep, taskOf } from "../model";
 import { go, place } from "../place";
 import { focusCard, select } from "../select";
 import { showSheet } from "../sheet";
+import { texts } from "../texts";
 
 interface Where extends DropPlace {
-  /** For people: `behind "Pick"`. */
+  /** For people. */
   readonly text: string;
 }
 
-const endOf = (line: TimeLine, title: string): Where | undefined => (line.form === "editable" ? { composite: line.id, index: line.steps.length, text: `to “${title}”` } : undefined);
+const endOf = (line: TimeLine, title: string): Where | undefined => (line.form === "editable" ? { composite: line.id, index: line.steps.length, text: texts.library.into(title) } : undefined);
 
 /** Where a skill is added that is pressed: behind the step that is selected, in the loop or task that is, else in the last task. */
 export function whereToAdd(application: Application, task: string | undefined, step: string | undefined): Where | undefined {
   const found = step === undefined ? undefined : findStep(application.root, step);
   if (found?.line.form === "editable") {
     if (found.step.inner?.form === "editable" && found.step.kind === "loop") return endOf(found.step.inner, found.step.title);
-    return { composite: found.line.id, index: found.line.steps.findIndex(({ id }) => id === step) + 1, text: `behind “${found.step.title}”` };
+    return { composite: found.line.id, index: found.line.steps.findIndex(({ id }) => id === step) + 1, text: texts.library.behind(found.step.title) };
   }
   const chosen = (step === undefined ? undefined : lineWithId(application, step)) ?? application.tasks.find(({ id }) => id === task) ?? application.tasks.at(-1);
   return chosen?.inner === undefined ? undefined : endOf(chosen.inner, chosen.title);
@@ -42,7 +43,7 @@ function added(id: string | undefined): void {
 export function addSelectedSkill(skill: SkillPlace): void {
   const tree = treeNow();
   const where = tree === undefined ? undefined : whereToAdd(readApplication(tree), place().task, place().step);
-  if (where === undefined) tell(tree !== undefined && !readApplication(tree).isEditable ? "Not done: the tasks of this application can only be changed in RACE Pro." : "Not done: add a task first.");
+  if (where === undefined) tell(texts.frame.notDone(tree !== undefined && !readApplication(tree).isEditable ? texts.library.onlyInPro : texts.library.taskFirst));
   else dropSkill(skill, where);
 }
 

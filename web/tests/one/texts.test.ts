@@ -1,4 +1,4 @@
-// The texts of the guide and of teaching stand in web/one/texts alone, so that another language is one more file.
+// All that a person reads on the page stands in web/one/texts alone, so that another language is one more file.
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -6,29 +6,61 @@ import ts from "typescript";
 import { describe, expect, it } from "vitest";
 import { en } from "../../one/texts/en";
 
-const kFolders = ["guide", "teach"] as const;
 const one = fileURLToPath(new URL("../../one", import.meta.url));
+/** The entry shows nothing, and says only what nobody should ever read. */
+const kWithout: ReadonlySet<string> = new Set(["main.tsx"]);
 
-/** Attributes whose value a person reads or hears. */
-const kShown: ReadonlySet<string> = new Set(["aria-label", "alt", "label", "placeholder", "title"]);
+/** Attributes and properties whose value a person reads or hears. */
+const kShown: ReadonlySet<string> = new Set(["aria-label", "aria-valuetext", "alt", "label", "placeholder", "title"]);
 const hasWord = (text: string): boolean => /\p{L}{2}/u.test(text);
 const isSentence = (text: string): boolean => /\p{L}\s+\p{L}/u.test(text);
+/** `Start`, `Saving…`: a word as a person reads it, and not the name of a key. */
+const isWord = (text: string): boolean => /^\p{Lu}\p{Ll}+[….]?$/u.test(text) && !["Enter", "Escape", "Delete"].includes(text);
+
+type Text = ts.StringLiteralLike | ts.TemplateHead | ts.TemplateMiddle | ts.TemplateTail;
+const isText = (node: ts.Node): node is Text => ts.isStringLiteralLike(node) || ts.isTemplateHead(node) || ts.isTemplateMiddle(node) || ts.isTemplateTail(node);
+
+/** Names of classes, and what finds elements. */
+function isOfCode(node: ts.Node): boolean {
+  if (ts.isImportDeclaration(node)) return true;
+  if (ts.isJsxAttribute(node)) return node.name.getText() === "className";
+  if (ts.isVariableDeclaration(node)) return node.name.getText() === "looks";
+  return ts.isCallExpression(node) && /(?:querySelector(?:All)?|closest|matches)(?:<.*>)?$/.test(node.expression.getText());
+}
+
+const kJoining: ReadonlySet<ts.SyntaxKind> = new Set([ts.SyntaxKind.BarBarToken, ts.SyntaxKind.QuestionQuestionToken, ts.SyntaxKind.PlusToken]);
+
+/** What an expression that is shown comes to. */
+function results(node: ts.Node): readonly ts.Node[] {
+  if (ts.isParenthesizedExpression(node)) return results(node.expression);
+  if (ts.isConditionalExpression(node)) return [...results(node.whenTrue), ...results(node.whenFalse)];
+  if (ts.isBinaryExpression(node)) {
+    const { kind } = node.operatorToken;
+    if (kind === ts.SyntaxKind.AmpersandAmpersandToken) return results(node.right);
+    return kJoining.has(kind) ? [...results(node.left), ...results(node.right)] : [];
+  }
+  if (ts.isTemplateExpression(node)) return [node.head, ...node.templateSpans.map(({ literal }) => literal)];
+  return [node];
+}
+
+const isShown = ({ parent }: ts.JsxExpression): boolean => !ts.isJsxAttribute(parent) || kShown.has(parent.name.getText());
 
 /** What a person would read in this code. */
-function textsIn(code: string): readonly string[] {
-  const found: string[] = [];
+function textsIn(code: string, file = "code.tsx"): readonly string[] {
+  const found = new Set<string>();
   const visit = (node: ts.Node): void => {
-    if (ts.isJsxText(node) && hasWord(node.text)) found.push(node.text.trim());
-    if (ts.isJsxAttribute(node)) {
-      const name = node.name.getText();
-      if (name === "className") return;
-      if (kShown.has(name) && node.initializer !== undefined && ts.isStringLiteral(node.initializer) && hasWord(node.initializer.text)) found.push(node.initializer.text);
-    } else if ((ts.isStringLiteralLike(node) || ts.isTemplateHead(node) || ts.isTemplateMiddle(node) || ts.isTemplateTail(node)) && (isSentence(node.text) || (ts.isJsxExpression(node.parent) && hasWord(node.text)))) found.push(node.text);
+    if (isOfCode(node)) return;
+    if (ts.isJsxText(node) && hasWord(node.text)) found.add(node.text.trim());
+    if (ts.isJsxAttribute(node) && kShown.has(node.name.getText()) && node.initializer !== undefined && ts.isStringLiteral(node.initializer) && hasWord(node.initializer.text)) found.add(node.initializer.text);
+    if (ts.isJsxExpression(node) && node.expression !== undefined && isShown(node)) for (const each of results(node.expression)) if (isText(each) && hasWord(each.text)) found.add(each.text);
+    if (isText(node) && (isSentence(node.text) || isWord(node.text))) found.add(node.text);
     ts.forEachChild(node, visit);
   };
-  visit(ts.createSourceFile("code.tsx", code, ts.ScriptTarget.Latest, true, ts.ScriptKind.TSX));
-  return found;
+  visit(ts.createSourceFile(file, code, ts.ScriptTarget.Latest, true));
+  return [...found];
 }
+
+const files = readdirSync(one, { recursive: true, encoding: "utf8" }).filter((file) => /\.tsx?$/.test(file) && !file.startsWith("texts") && !kWithout.has(file));
 
 /** All texts, those that are made of values with words for these. */
 function leaves(value: unknown): readonly string[] {
@@ -37,19 +69,21 @@ function leaves(value: unknown): readonly string[] {
   return typeof value === "object" && value !== null ? Object.values(value).flatMap(leaves) : [];
 }
 
-describe("the texts of the guide", () => {
-  it.each(kFolders)("stand nowhere in one/%s", (folder) => {
-    const files = readdirSync(join(one, folder));
-    expect(files.length).toBeGreaterThan(1);
-    expect(files.flatMap((file) => textsIn(readFileSync(join(one, folder, file), "utf8")).map((text) => `${file}: ${text}`))).toEqual([]);
+describe("the texts of the page", () => {
+  it("stand in no other file of web/one", () => {
+    expect(files.length).toBeGreaterThan(50);
+    expect(files.flatMap((file) => textsIn(readFileSync(join(one, file), "utf8"), file).map((text) => `${file}: ${text}`))).toEqual([]);
   });
 
-  it("would be found in an element, an attribute, a constant and a template", () => {
+  it("would be found in an element, an attribute, a constant, a choice and a template", () => {
     expect(textsIn("const a = <p>Go on</p>;")).toEqual(["Go on"]);
-    expect(textsIn('const a = <p title="Next" className="one two" />;')).toEqual(["Next"]);
+    expect(textsIn('const a = <p title="next" className="one two" />;')).toEqual(["next"]);
     expect(textsIn("const a = <p>{b ? 'Not now' : `Saved as ${c}`}</p>;")).toEqual(["Not now", "Saved as "]);
-    expect(textsIn('const a = <p>{"Next"}</p>;')).toEqual(["Next"]);
-    expect(textsIn('const a = { kind: "part" };')).toEqual([]);
+    expect(textsIn('const a = <p aria-label={b ? "more" : `less ${c}`}>{b && "off"}</p>;')).toEqual(["more", "less ", "off"]);
+    expect(textsIn('const kNames = { start: "Start", saving: "Saving…" };')).toEqual(["Start", "Saving…"]);
+    expect(textsIn('throw new Error("the server does not answer");')).toEqual(["the server does not answer"]);
+    expect(textsIn('const a = { kind: "part", key: "Escape" }; document.querySelector(".skills input");')).toEqual([]);
+    expect(textsIn('const a = <p className={`one ${b ? "two three" : ""}`} data-kind={b ? "part" : "place"} />;')).toEqual([]);
   });
 
   it("say something, in plain sentences: one or two for what is to be done", () => {
