@@ -20,7 +20,7 @@ export function readPlan(tree: Tree, composite: string): Plan | NoPlan {
   const another = ports.find((port) => port !== "success" && port !== "error");
   if (another !== undefined) return { reason: `it can also end at “${another}”` };
   if (listOf(tree, composite, "children").length === 0) return plan; // the first change writes its ports
-  const changes = [...settleTask(tree, composite, plan.steps, plan.intents, kNoId), ...settleSources(tree, plan.steps, plan.intents, false, kNoId)];
+  const changes = [...settleTask(tree, composite, plan.steps, plan.intents, kNoId), ...settleSources(tree, plan.steps, plan.intents, [], kNoId)];
   const isMark = (change: (typeof changes)[number]) => change.op === "set" && change.field === "meta";
   return changes.every(isMark) ? plan : { reason: "its steps do not lead from one to the next" };
 }
@@ -44,7 +44,8 @@ export function readLoop(tree: Tree, loop: string): LoopParts | NoPlan {
   return settleLoop(tree, loop, body, count, kNoId).length === 0 ? { body, count } : { reason: "it is repeated in another way" };
 }
 
-function parametersOf(tree: Tree, id: string, { parameters }: Skill): readonly StepParameter[] {
+/** What a state declares, with where each value comes from. */
+export function parametersOf(tree: Tree, id: string, { parameters }: Skill = skillOf(tree, id)): readonly StepParameter[] {
   return parameters.map((about) => {
     const value = valueOf(tree, id, about.name);
     // What is found has no constant.
@@ -53,7 +54,7 @@ function parametersOf(tree: Tree, id: string, { parameters }: Skill): readonly S
   });
 }
 
-const timesOf = (tree: Tree, id: string): StepParameter | undefined => parametersOf(tree, id, skillOf(tree, id)).find(({ about }) => about.name === "times");
+const timesOf = (tree: Tree, id: string): StepParameter | undefined => parametersOf(tree, id).find(({ about }) => about.name === "times");
 
 function plannedStep(tree: Tree, { id, kind }: PlannedStep, { failure, goes, retry, ask }: Intent): Step {
   const base = anyStep(tree, id, kind);

@@ -32,8 +32,11 @@ export function takeFrom(tree: Tree, step: string, name: string, source: Source 
   ];
 }
 
-/** Parameters of `found` take from a step that stands before them: another one, where theirs does not any more. `joins`: also those that have no value yet. */
-export function settleSources(tree: Tree, steps: readonly PlannedStep[], intents: ReadonlyMap<string, Intent>, joins: boolean, newId: NewId): readonly Operation[] {
+/**
+ * Parameters of `found` take from a step that stands before them: another one, where theirs does not any more. `joining`: steps that are new in their place; what
+ * has no value yet takes it from one of them, or, if it is one of them, from the nearest.
+ */
+export function settleSources(tree: Tree, steps: readonly PlannedStep[], intents: ReadonlyMap<string, Intent>, joining: readonly string[], newId: NewId): readonly Operation[] {
   return steps.flatMap(({ id, kind }, i) => {
     if (kind !== "skill") return [];
     const before = steps.slice(0, i);
@@ -44,8 +47,9 @@ export function settleSources(tree: Tree, steps: readonly PlannedStep[], intents
         const isThere = before.some((step) => step.id === source.step);
         return takeFrom(tree, id, name, isThere ? source : sourcesFor(tree, before, domain)[0], newId);
       }
-      const [nearest] = joins && domain === "found" ? sourcesFor(tree, before, domain) : [];
-      return nearest === undefined || hasValue(tree, id, name) ? [] : takeFrom(tree, id, name, nearest, newId);
+      const [nearest] = joining.length > 0 && domain === "found" ? sourcesFor(tree, before, domain) : [];
+      const joins = nearest !== undefined && (joining.includes(id) || joining.includes(nearest.step));
+      return joins && !hasValue(tree, id, name) ? takeFrom(tree, id, name, nearest, newId) : [];
     });
   });
 }

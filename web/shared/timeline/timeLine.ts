@@ -23,8 +23,8 @@ export type Value =
   /** `state`: the state that has it, or that links the library state that has it; `element`: the parameter there, if it is the state's own. */
   | { readonly kind: "constant"; readonly state: string; readonly name: string; readonly element: string | undefined; readonly value: JsonValue }
   | { readonly kind: "taken"; readonly source: Source }
-  /** An expression, which is written in RACE Pro. */
-  | { readonly kind: "computed"; readonly text: string }
+  /** An expression of `state`, which is written in RACE Pro. */
+  | { readonly kind: "computed"; readonly state: string; readonly text: string }
   /** Whoever starts or links the state has to give one. */
   | { readonly kind: "missing"; readonly state: string; readonly name: string };
 

@@ -19,6 +19,6 @@ export function valueOf(tree: Tree, state: string, name: string): Value {
   if (source !== undefined) return { kind: "taken", source };
   const [, outer] = kParameter.exec(from) ?? [];
   const { parent } = elementOf(tree, state);
-  if (outer === undefined || parent === "") return { kind: "computed", text: from };
+  if (outer === undefined || parent === "") return { kind: "computed", state, text: from };
   return valueOf(tree, parent, outer);
 }

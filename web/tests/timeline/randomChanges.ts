@@ -10,7 +10,8 @@ import type { Supplies } from "../../shared/timeline/changes/draft";
 import { setFailure, setOutcome } from "../../shared/timeline/changes/failure";
 import { loopSteps, unloop } from "../../shared/timeline/changes/loop";
 import { duplicateStep, moveStep, removeStep, renameStep, setDisabled } from "../../shared/timeline/changes/steps";
-import { readApplication, readLoop } from "../../shared/timeline/read";
+import { setSource, sourcesOf } from "../../shared/timeline/changes/values";
+import { readApplication, readLoop, readTimeLine } from "../../shared/timeline/read";
 import type { Failure, Goes, TimeLine } from "../../shared/timeline/timeLine";
 import type { Random } from "../edit/random";
 import { emptyApp, exactOf, skills } from "../skills/fixture";
@@ -48,17 +49,24 @@ export class RandomTask {
   readonly expected: Expected[] = [];
   /** Of the last change. */
   operations: readonly Operation[] = [];
+  /** The steps that the last change was about. */
+  named: readonly string[] = [];
   private count = 0;
   private readonly supplies: Supplies = { newId: () => `n${this.count++}`, documents: [skills] };
 
-  constructor(private readonly random: Random) {}
+  /** `skills`: of which new steps are. */
+  constructor(
+    private readonly random: Random,
+    private readonly skills = kSkills,
+  ) {}
 
-  /** One change; what it was. Requires that it is not refused. */
+  /** One change; what it was. Requires that it is not refused, unless as another step would not find any more what it takes. */
   change(): string {
     const { random } = this;
+    this.named = [];
     const places = this.places();
     const place = random.of(places);
-    const kinds = [...(place.composite === "root" ? ["task"] : ["skill", "skill", "skill"]), ...(place.steps.length > 0 ? ["move", "duplicate", "disable", "remove", "failure", "outcome", "loop", "unloop", "rename"] : [])];
+    const kinds = [...(place.composite === "root" ? ["task"] : ["skill", "skill", "skill"]), ...(place.steps.length > 0 ? ["move", "duplicate", "disable", "remove", "failure", "outcome", "loop", "unloop", "rename", "source"] : [])];
     const kind = this.sizeOf(this.expected) > 40 && place.steps.length > 0 ? "remove" : random.of(kinds);
     const step = place.steps.length > 0 ? random.of(place.steps) : undefined;
     return `${kind} ${this.make(kind, place, step)}`;
@@ -88,6 +96,12 @@ export class RandomTask {
     return command.select ?? "";
   }
 
+  /** The same of a change that may be refused, as another step takes what is moved; then nothing is done. */
+  private attempt(command: Command): string | undefined {
+    if ("reason" in command && / takes what ".*" gives: .+, or choose another ".*" there$/.test(command.reason)) return undefined;
+    return this.take(command);
+  }
+
   private make(kind: string, { composite, steps }: Place, step: Expected | undefined): string {
     const { random, tree, supplies } = this;
     if (kind === "task") {
@@ -98,10 +112,11 @@ export class RandomTask {
       return id;
     }
     if (kind === "skill") {
-      const skill = random.of(kSkills);
+      const skill = random.of(this.skills);
       const index = random.pick(steps.length + 1);
       const id = this.take(addSkill(tree, composite, index, { document: "skills", id: skill.id }, supplies));
       const goes = Object.fromEntries(skill.ports.filter(({ name, advice }) => advice === undefined && name !== skill.nominal).map(({ name }) => [name, "end"] as const));
+      this.named = [id];
       const fails = skill.ports.some(({ advice }) => advice !== undefined);
       steps.splice(index, 0, { id, kind: "skill", title: skill.title, disabled: false, failure: fails ? { kind: "stop" } : undefined, goes, steps: undefined });
       return skill.name;
@@ -114,15 +129,17 @@ export class RandomTask {
       case "duplicate": {
         this.take(duplicateStep(tree, exactOf(tree), step.id, supplies));
         const made = this.read(composite)[at + 1];
+        this.named = made === undefined ? [] : [made.id];
         steps.splice(at + 1, 0, renewed(step, made));
         return step.id;
       }
       case "disable":
         step.disabled = !step.disabled;
         this.take(setDisabled(tree, step.id, step.disabled, supplies));
+        this.named = [step.id];
         return step.id;
       case "remove":
-        this.take(removeStep(tree, step.id, supplies));
+        if (this.attempt(removeStep(tree, step.id, supplies)) === undefined) return "refused";
         steps.splice(at, 1);
         return step.id;
       case "failure": {
@@ -149,7 +166,10 @@ export class RandomTask {
         if (step.kind !== "loop") return "nothing";
         this.take(unloop(tree, step.id, supplies));
         steps.splice(at, 1, ...(step.steps ?? []));
+        this.named = (step.steps ?? []).map(({ id }) => id);
         return step.id;
+      case "source":
+        return this.source(step, composite);
       default:
         step.title = `Name ${this.count++}`;
         this.take(renameStep(tree, step.id, step.title, supplies));
@@ -178,20 +198,31 @@ export class RandomTask {
     const index = this.random.pick(length + 1);
     const command = moveStep(this.tree, step.id, target.composite, index, this.supplies);
     if ("reason" in command && target.steps === steps && steps.indexOf(step) === index) return "where it was";
-    this.take(command);
+    if (this.attempt(command) === undefined) return "refused";
+    this.named = [step.id];
     steps.splice(steps.indexOf(step), 1);
     target.steps.splice(index, 0, step);
     return `${step.id} to ${target.composite} at ${index}`;
   }
 
+  /** Another part is taken than the nearest one. */
+  private source({ id }: Expected, composite: string): string {
+    const { steps } = readTimeLine(this.tree, composite);
+    const parameter = steps.find((each) => each.id === id)?.parameters.find(({ about }) => about.domain === "found");
+    const sources = parameter === undefined ? [] : sourcesOf(this.tree, steps, id, "found");
+    if (parameter === undefined || sources.length === 0) return "nothing";
+    const source = this.random.of(sources);
+    const { value } = parameter;
+    if (value.kind === "taken" && value.source.step === source.step) return "as it was";
+    this.take(setSource(this.tree, id, parameter.about.name, source, this.supplies));
+    this.named = [id];
+    return `${id} takes what ${source.step} gives`;
+  }
+
   private loop(steps: Expected[], at: number): string {
     const group = steps.slice(at, at + 1 + this.random.pick(3));
-    const command = loopSteps(this.tree, group.map(({ id }) => id), 3, this.supplies);
-    if ("reason" in command) {
-      if (!command.reason.includes("repeat both")) throw new Error(command.reason);
-      return command.reason;
-    }
-    const id = this.take(command);
+    const id = this.attempt(loopSteps(this.tree, group.map((each) => each.id), 3, this.supplies));
+    if (id === undefined) return "refused";
     steps.splice(at, group.length, { id, kind: "loop", title: "Repeat", disabled: false, failure: { kind: "stop" }, goes: {}, steps: group });
     return group.map((step) => step.id).join(" ");
   }

@@ -84,19 +84,25 @@ test("an outcome that goes on at the end of a task goes on when a step follows",
   expect(targets(more, ask ?? "")).toMatchObject({ yes: "Wait", no: "Wait" });
 });
 
-test("what is found is taken from the nearest step before, and from another one when that is gone", () => {
+test("what is found is taken from the nearest step before, and a step that gives it to another one stays before that", () => {
   const { tree, task, steps: [first, second, pick] } = appOf("FindPart", "FindPart", "PickPart");
   const from = (of: Tree) => lineOf(of, task).steps.find(({ id }) => id === pick)?.parameters[0]?.value;
   expect(from(tree)).toEqual({ kind: "taken", source: { step: second, result: "part" } });
   const chosen = after(tree, setSource(tree, pick ?? "", "part", { step: first ?? "", result: "part" }, supplies)).tree;
   expect(from(chosen)).toEqual({ kind: "taken", source: { step: first, result: "part" } });
   expect(sourcesOf(tree, lineOf(tree, task).steps, pick ?? "", "found").map(({ step }) => step)).toEqual([second, first]);
-  const gone = after(chosen, removeStep(chosen, first ?? "", supplies)).tree;
-  expect(from(gone)).toEqual({ kind: "taken", source: { step: second, result: "part" } });
-  const none = after(gone, removeStep(gone, second ?? "", supplies)).tree;
+  const takes = '"Pick a part" takes what "Find a part" gives';
+  const other = 'or choose another "Part" there';
+  expect(reasonOf(removeStep(chosen, first ?? "", supplies))).toBe(`${takes}: remove "Pick a part" first, ${other}`);
+  expect(reasonOf(moveStep(chosen, first ?? "", task, 2, supplies))).toBe(`${takes}: "Find a part" has to stand before it, in the same task or loop as "Pick a part", ${other}`);
+  for (const group of [[first], [second, pick]]) expect(reasonOf(loopSteps(chosen, group.map((id) => id ?? ""), 2, supplies))).toBe(`${takes}: repeat both, ${other}`);
+  expect(from(after(chosen, loopSteps(chosen, [second ?? ""], 2, supplies)).tree)).toEqual({ kind: "taken", source: { step: first, result: "part" } });
+  expect(from(after(chosen, removeStep(chosen, second ?? "", supplies)).tree)).toEqual({ kind: "taken", source: { step: first, result: "part" } });
+  const none = after(chosen, moveStep(chosen, pick ?? "", task, 0, supplies)).tree;
   expect(from(none)).toMatchObject({ kind: "missing" });
-  expect(problemsOf(none, lineOf(none, task), [{ key: "gripper", type: "gripper", available: true }])).toEqual([{ step: pick, parameter: "part", text: "no step before it finds a part" }]);
-  expect(reasonOf(loopSteps(tree, [pick ?? ""], 2, supplies))).toBe('"Pick a part" takes what "Find a part" gives: repeat both');
+  expect(problemsOf(none, lineOf(none, task), [{ key: "gripper", type: "gripper", available: true }, { key: "obj_rec", type: "ObjectRecognition", available: true }])).toEqual([{ step: pick, parameter: "part", text: "no step before it finds a part" }]);
+  const alone = after(none, removeStep(none, first ?? "", supplies)).tree;
+  expect(from(after(alone, moveStep(alone, second ?? "", task, 0, supplies)).tree)).toEqual({ kind: "taken", source: { step: second, result: "part" } });
 });
 
 test("problems are a service that is not there, a value that is not set, and a source that is off", () => {
@@ -144,7 +150,7 @@ test("a constant is followed to where it stands, and set there", () => {
   const search = table?.inner?.steps[4];
   const labels = search?.parameters.find(({ about }) => about.name === "labels")?.value;
   expect(labels).toMatchObject({ kind: "constant", state: table?.id, name: "labels", value: ["Cube", "Box", "Block", "Tape", "Bar"] });
-  expect(search?.parameters.find(({ about }) => about.name === "but")?.value).toEqual({ kind: "computed", text: "res.skipped" });
+  expect(search?.parameters.find(({ about }) => about.name === "but")?.value).toEqual({ kind: "computed", state: search?.id, text: "res.skipped" });
   expect(search?.parameters.find(({ about }) => about.name === "pictures")?.value).toMatchObject({ kind: "constant", state: search?.id, value: 15 });
   const { tree } = after(demonstrator, setValue(demonstrator, search?.id ?? "", "labels", ["Tape"], supplies));
   expect(readApplication(tree).tasks[1]?.parameters.find(({ about }) => about.name === "labels")?.value).toMatchObject({ value: ["Tape"] });

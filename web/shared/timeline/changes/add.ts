@@ -51,7 +51,7 @@ export const addSkill = (tree: Tree, task: string, index: number, skill: SkillPl
     const node = { state: draft.freeName(task, link), ...(ports.length > 0 && { ports }), link, meta: { id } };
     const at = Math.max(0, Math.min(index, plan.steps.length));
     draft.do({ op: "insert", ...draft.placeOf(task, plan.steps, at), node });
-    draft.settle(task, inserted(plan.steps, at, [{ id, kind: "skill" }]), new Map([...plan.intents, [id, newIntent(draft.tree, id)]]));
+    draft.settle(task, inserted(plan.steps, at, [{ id, kind: "skill" }]), new Map([...plan.intents, [id, newIntent(draft.tree, id)]]), [id]);
     return id;
   });
 

@@ -54,11 +54,11 @@ export class Draft {
     return plan;
   }
 
-  /** Makes the document say what is meant now. */
-  settle(task: string, steps: readonly PlannedStep[], intents: ReadonlyMap<string, Intent>): void {
+  /** Makes the document say what is meant now. `joining`: steps that are new in their place. */
+  settle(task: string, steps: readonly PlannedStep[], intents: ReadonlyMap<string, Intent>, joining: readonly string[] = []): void {
     this.plans.set(task, { steps, intents });
     this.do(...settleTask(this.tree, task, steps, intents, this.newId));
-    this.do(...settleSources(this.tree, steps, intents, true, this.newId));
+    this.do(...settleSources(this.tree, steps, intents, joining, this.newId));
     for (const [step, { ask }] of intents) if (ask !== undefined) this.do(...settleQuestion(this.tree, step, ask, this.newId));
   }
 

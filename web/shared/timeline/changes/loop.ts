@@ -11,7 +11,8 @@ import type { PlannedStep } from "../plan";
 import { readLoop } from "../read";
 import { emptyTask, newIntent } from "./add";
 import { command, Impossible, inserted, stepIn, without, type Supplies } from "./draft";
-import { bring } from "./steps";
+import { keepValues } from "./kept";
+import { bring, standsBefore } from "./steps";
 
 /** Repeats steps that stand side by side `times`, or for ever (0). The loop is one step in their place. */
 export const loopSteps = (tree: Tree, ids: readonly string[], times: number, supplies: Supplies): Command =>
@@ -23,9 +24,6 @@ export const loopSteps = (tree: Tree, ids: readonly string[], times: number, sup
     const chosen = plan.steps.filter(({ id }) => ids.includes(id));
     const at = plan.steps.findIndex(({ id }) => id === chosen[0]?.id);
     if (chosen.length !== ids.length || chosen.some(({ id }, i) => plan.steps[at + i]?.id !== id)) throw new Impossible("the steps do not stand side by side");
-    for (const { id } of chosen)
-      for (const { step } of plan.intents.get(id)?.takes.values() ?? [])
-        if (!ids.includes(step)) throw new Impossible(`"${skillOf(tree, id).title}" takes what "${skillOf(tree, step).title}" gives: repeat both`);
     const [loop, body, count] = [draft.newId(), draft.newId(), draft.newId()];
     const link = draft.support("repeat");
     const { ports: _, meta, ...node } = emptyTask(draft.freeName(task, "Loop"), loop, draft.newId, "Repeat");
@@ -44,6 +42,7 @@ export const loopSteps = (tree: Tree, ids: readonly string[], times: number, sup
     const rest = without(plan.steps, ids);
     const intents = new Map([...plan.intents].filter(([id]) => !ids.includes(id)));
     draft.settle(task, inserted(rest, at, [{ id: loop, kind: "loop" }]), new Map([...intents, [loop, newIntent(draft.tree, loop)]]));
+    keepValues(tree, draft, undefined, () => "repeat both");
     return loop;
   });
 
@@ -65,6 +64,7 @@ export const unloop = (tree: Tree, loop: string, supplies: Supplies): Command =>
     draft.do(...withoutCommentsOn(draft.tree, gone), ...gone.map((id): Operation => ({ op: "remove", id })));
     const intents = new Map([...plan.intents, ...body.intents]);
     intents.delete(loop);
-    draft.settle(task, without(steps, [loop]), intents);
+    draft.settle(task, without(steps, [loop]), intents, body.steps.map(({ id }) => id));
+    keepValues(tree, draft, undefined, standsBefore);
     return body.steps[0]?.id;
   });

@@ -11,6 +11,7 @@ import { isDisabled, type Intent } from "../plan";
 import { readPlan } from "../read";
 import { reasonAgainstTitle } from "./add";
 import { command, Impossible, inserted, stepIn, without, type Draft, type Supplies } from "./draft";
+import { keepValues } from "./kept";
 
 const handlersOf = ({ retry, ask }: Intent): readonly string[] => [retry, ask].filter((id) => id !== undefined);
 
@@ -37,6 +38,9 @@ export function bring(draft: Draft, id: string, intent: Intent, task: string, st
   if (!isHere) for (const handler of handlersOf(intent)) draft.do({ op: "move", id: handler, ...draft.last(task) });
 }
 
+/** What to do where a step would not find any more what it takes. */
+export const standsBefore = (taker: string, giver: string): string => `"${giver}" has to stand before it, in the same task or loop as "${taker}"`;
+
 /** Moves a step: `index` is its place among the others of the task. */
 export const moveStep = (tree: Tree, id: string, task: string, index: number, supplies: Supplies): Command =>
   command(tree, supplies, (draft) => {
@@ -49,14 +53,16 @@ export const moveStep = (tree: Tree, id: string, task: string, index: number, su
       const at = Math.max(0, Math.min(index, rest.length));
       if (at === was) throw new Impossible("it stands there already");
       bring(draft, id, intent, task, rest, at);
-      draft.settle(task, inserted(rest, at, [step]), plan.intents);
+      draft.settle(task, inserted(rest, at, [step]), plan.intents, [id]);
+      keepValues(tree, draft, id, standsBefore);
       return id;
     }
     const target = draft.plan(task);
     const at = Math.max(0, Math.min(index, target.steps.length));
     bring(draft, id, intent, task, target.steps, at);
     draft.settle(from, without(plan.steps, [id]), new Map([...plan.intents].filter(([each]) => each !== id)));
-    draft.settle(task, inserted(target.steps, at, [step]), new Map([...target.intents, [id, intent]]));
+    draft.settle(task, inserted(target.steps, at, [step]), new Map([...target.intents, [id, intent]]), [id]);
+    keepValues(tree, draft, id, standsBefore);
     return id;
   });
 
@@ -70,6 +76,7 @@ export const removeStep = (tree: Tree, id: string, supplies: Supplies): Command 
     draft.do(...withoutCommentsOn(tree, gone), ...gone.map((each): Operation => ({ op: "remove", id: each })));
     const steps = without(plan.steps, [id]);
     draft.settle(task, steps, new Map([...plan.intents].filter(([each]) => each !== id)));
+    keepValues(tree, draft, undefined, (taker) => `remove "${taker}" first`);
     return (steps[index] ?? steps.at(-1))?.id;
   });
 
@@ -81,7 +88,7 @@ export const setDisabled = (tree: Tree, id: string, disabled: boolean, supplies:
     stepIn(plan, id);
     if (isDisabled(tree, id) === disabled) throw new Impossible(`it is ${disabled ? "off" : "on"} already`);
     draft.do({ op: "set", id, field: "meta", key: "disabled", ...(disabled && { value: true }) });
-    draft.settle(task, plan.steps, plan.intents);
+    draft.settle(task, plan.steps, plan.intents, disabled ? [] : [id]);
     return id;
   });
 
@@ -105,7 +112,7 @@ export const duplicateStep = (tree: Tree, document: ExactJson, id: string, suppl
     const own = (of: string | undefined) => (of === undefined ? undefined : copies.get(of));
     const made = copies.get(id) ?? "";
     const intents = new Map([...plan.intents, [made, { ...intent, retry: own(intent.retry), ask: own(intent.ask) }]]);
-    draft.settle(task, inserted(plan.steps, index + 1, [{ id: made, kind: step.kind }]), intents);
+    draft.settle(task, inserted(plan.steps, index + 1, [{ id: made, kind: step.kind }]), intents, [made]);
     return made;
   });
 
