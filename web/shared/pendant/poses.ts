@@ -46,7 +46,7 @@ export type Position = readonly [number, number, number];
 export function positionIn(value: JsonValue): Position | undefined {
   const pose: unknown = isObject(value) ? value["pose"] : undefined;
   const position: unknown = typeof pose === "object" && pose !== null && "position" in pose ? pose.position : undefined;
-  if (!Array.isArray(position)) return undefined;
+  if (!Array.isArray(position) || position.length !== 3) return undefined;
   const [x, y, z] = position.filter((each: unknown): each is number => typeof each === "number" && Number.isFinite(each));
   return x !== undefined && y !== undefined && z !== undefined ? [x, y, z] : undefined;
 }

@@ -1,7 +1,7 @@
 // What the page of a phone decides.
 import { describe, expect, it } from "vitest";
 import { activityOf, wordsOf } from "../../shared/pendant/activity";
-import { freeName, isPoseName, keyOfPose, poseNames, readPose } from "../../shared/pendant/poses";
+import { freeName, isPoseName, keyOfPose, poseNames, positionIn, readPose } from "../../shared/pendant/poses";
 import { hashOf, kMoveParts, kViews, placeOf } from "../../shared/pendant/view";
 
 describe("the view of the page", () => {
@@ -34,6 +34,19 @@ describe("taught poses", () => {
   it.each([null, 7, [], {}, { q: 1 }, { q: q.slice(1) }, { q: [...q, 0] }, { q: [...q.slice(1), "0"] }, { q: [...q.slice(1), null] }])("are none without: %j", (value) => {
     expect(readPose("a", value)).toBeUndefined();
   });
+
+  it("have the place of the tool, as the state of a robot has, in metres", () => {
+    const place = { pose: { position: [0.45, -0.2, 0], orientation: [1, 0, 0, 0] } };
+    expect(positionIn({ ...place, q })).toEqual([0.45, -0.2, 0]);
+    expect(positionIn({ ...place, joints: {}, mode: "idle" })).toEqual([0.45, -0.2, 0]);
+  });
+
+  it.each([null, 7, [], {}, { pose: null }, { pose: [0, 0, 0] }, { position: [1, 2, 3] }, ...[null, "0, 0, 0", { x: 0 }, [], [1, 2], [1, 2, 3, 4], [1, 2, "3"], [null, 1, 2, 3], [1, 2, Number.NaN], [1, 2, Infinity]].map((position) => ({ pose: { position } }))])(
+    "have none that is no three numbers: %j",
+    (value) => {
+      expect(positionIn(value)).toBeUndefined();
+    },
+  );
 
   it("get a name that is free", () => {
     expect(freeName([])).toBe("pose1");
