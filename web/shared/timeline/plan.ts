@@ -68,27 +68,28 @@ export function termsOf(tree: Tree, composite: string, port: string): ReadonlySe
 /** What a child of a task is: a step, or what handles failures; else why it is neither. */
 function roleOf(tree: Tree, id: string): StepKind | "retry" | "ask" | NoPlan {
   const { kind, fields } = elementOf(tree, id);
-  const name = nameOfElement(tree, id);
-  if (kind !== "state") return { reason: `it goes on at several places at once, from “${name}”` };
+  if (kind !== "state") return { reason: "several of its steps are done at the same time" };
+  const { title } = skillOf(tree, id);
   if (entryOf(fields, "link") === undefined) {
     const own = reasonAgainstComposite(tree, id);
     return own === undefined ? (isLoop(tree, id) ? "loop" : "task") : { reason: own };
   }
   const linked = linkedState(tree, id);
-  if (linked === undefined) return { reason: `what “${name}” links is not in the document` };
+  if (linked === undefined) return { reason: `what “${title}” does is missing in this application` };
   const support = supportOf(tree, linked);
   if (support === "retry" || support === "ask") return support;
-  return isSkill(tree, linked) ? "skill" : { reason: `“${name}” is no skill` };
+  return isSkill(tree, linked) ? "skill" : { reason: `“${title}” is no skill of the library` };
 }
 
-const kOwn = { entry: "does something when it begins", exit: "does something when it ends", oracle: "begins where an oracle says", keep: "keeps what it knows" } as const;
+/** What a state does itself, for people who do not program. */
+const kOwn = { entry: "does something of its own when it begins", exit: "does something of its own when it ends", oracle: "chooses with which step it begins only while it runs", keep: "remembers from one time to the next where it was" } as const;
 
 /** Why a state is no task by what it does itself. */
 export function reasonAgainstComposite(tree: Tree, id: string): string | undefined {
   const { fields } = elementOf(tree, id);
-  const name = nameOfElement(tree, id);
-  for (const [field, text] of Object.entries(kOwn)) if (entryOf(fields, field) !== undefined) return `“${name}” ${text}`;
-  if (listOf(tree, id, "actions").length > 0) return `“${name}” does something of its own meanwhile`;
+  const { title } = skillOf(tree, id);
+  for (const [field, text] of Object.entries(kOwn)) if (entryOf(fields, field) !== undefined) return `“${title}” ${text}`;
+  if (listOf(tree, id, "actions").length > 0) return `“${title}” does something of its own while its steps are done`;
   return undefined;
 }
 

@@ -18,11 +18,11 @@ export function readPlan(tree: Tree, composite: string): Plan | NoPlan {
   if ("reason" in plan) return plan;
   const ports = listOf(tree, composite, "ports").map((id) => nameOfElement(tree, id));
   const another = ports.find((port) => port !== "success" && port !== "error");
-  if (another !== undefined) return { reason: `it can also end at “${another}”` };
+  if (another !== undefined) return { reason: `it can also end in another way, “${wordsOf(another)}”` };
   if (listOf(tree, composite, "children").length === 0) return plan; // the first change writes its ports
   const changes = [...settleTask(tree, composite, plan.steps, plan.intents, kNoId), ...settleSources(tree, plan.steps, plan.intents, [], kNoId)];
   const isMark = (change: (typeof changes)[number]) => change.op === "set" && change.field === "meta";
-  return changes.every(isMark) ? plan : { reason: "its steps do not lead from one to the next" };
+  return changes.every(isMark) ? plan : { reason: "its steps are not simply done one after the other" };
 }
 
 /** The parts of a loop that has the form of api/skills.md. */
@@ -40,8 +40,8 @@ export function readLoop(tree: Tree, loop: string): LoopParts | NoPlan {
     return linked !== undefined && supportOf(tree, linked) === "repeat";
   };
   const [count, body] = [children.find(isCount), children.find((id) => elementOf(tree, id).kind === "state" && entryOf(elementOf(tree, id).fields, "link") === undefined)];
-  if (count === undefined || body === undefined || children.length !== 2) return { reason: "it is repeated in another way" };
-  return settleLoop(tree, loop, body, count, kNoId).length === 0 ? { body, count } : { reason: "it is repeated in another way" };
+  if (count === undefined || body === undefined || children.length !== 2) return { reason: "it is repeated in a way of its own" };
+  return settleLoop(tree, loop, body, count, kNoId).length === 0 ? { body, count } : { reason: "it is repeated in a way of its own" };
 }
 
 /** What a state declares, with where each value comes from. */

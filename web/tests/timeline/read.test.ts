@@ -166,24 +166,30 @@ test("a root whose children are no tasks is the one task; what has no flow is a 
   expect(readApplication(list).tasks[0]?.inner).toMatchObject({ form: "list", steps: [], others: [{ title: "A" }] });
 });
 
-test.each<[string, (tree: Tree, task: string, steps: readonly string[]) => Operation]>([
-  ["a step that leads elsewhere", (tree, _, [first]) => ({ op: "set", id: listOf(tree, first ?? "", "ports")[0] ?? "", field: "to", value: "Say2" })],
-  ["an error that leads elsewhere than the others", (tree, _, [first]) => ({ op: "set", id: listOf(tree, first ?? "", "ports")[1] ?? "", field: "to", value: "Say" })],
-  ["another condition", (tree, task) => ({ op: "set", id: listOf(tree, task, "ports")[0] ?? "", field: "when", value: "chi.Say.active" })],
-  ["another first step", (_, task) => ({ op: "set", id: task, field: "first", value: "Say" })],
-  ["an entry", (_, task) => ({ op: "set", id: task, field: "entry", value: "pass" })],
-  ["an oracle", (_, task) => ({ op: "set", id: task, field: "oracle", value: { kind: "expr", expr: "'Say'" } })],
-  ["a third port", (_, task) => ({ op: "insert", parent: task, list: "ports", node: { name: "odd", when: "False", meta: { id: "odd" } } })],
-  ["a barrier", (_, task) => ({ op: "insert", parent: task, list: "children", node: { barrier: "B", to: ["Say"], meta: { id: "bar" } } })],
-  ["a state with code", (_, task) => ({ op: "insert", parent: task, list: "children", node: { state: "X", entry: "pass", meta: { id: "x" } } })],
-  ["a link to what is no skill", (_, task) => ({ op: "insert", parent: task, list: "children", node: { state: "X", link: "GetPose", meta: { id: "x" } } })],
-  ["a disabled step that is led to", (_, __, [, second]) => ({ op: "set", id: second ?? "", field: "meta", key: "disabled", value: true })],
-])("a task with %s is only read", (_, change) => {
+const kOrder = "its steps are not simply done one after the other";
+
+test.each<[string, string, (tree: Tree, task: string, steps: readonly string[]) => Operation]>([
+  ["a step that leads elsewhere", kOrder, (tree, _, [first]) => ({ op: "set", id: listOf(tree, first ?? "", "ports")[0] ?? "", field: "to", value: "Say2" })],
+  ["an error that leads elsewhere than the others", kOrder, (tree, _, [first]) => ({ op: "set", id: listOf(tree, first ?? "", "ports")[1] ?? "", field: "to", value: "Say" })],
+  ["another condition", kOrder, (tree, task) => ({ op: "set", id: listOf(tree, task, "ports")[0] ?? "", field: "when", value: "chi.Say.active" })],
+  ["another first step", kOrder, (_, task) => ({ op: "set", id: task, field: "first", value: "Say" })],
+  ["an exit", "“My task” does something of its own when it ends", (_, task) => ({ op: "set", id: task, field: "exit", value: "pass" })],
+  ["an action", "“My task” does something of its own while its steps are done", (_, task) => ({ op: "insert", parent: task, list: "actions", node: { when: "False", do: "pass", meta: { id: "act" } } })],
+  ["a memory", "“My task” remembers from one time to the next where it was", (_, task) => ({ op: "set", id: task, field: "keep", value: true })],
+  ["a skill that is gone", "what “X” does is missing in this application", (_, task) => ({ op: "insert", parent: task, list: "children", node: { state: "X", link: "Nothing", meta: { id: "x" } } })],
+  ["an entry", "“My task” does something of its own when it begins", (_, task) => ({ op: "set", id: task, field: "entry", value: "pass" })],
+  ["an oracle", "“My task” chooses with which step it begins only while it runs", (_, task) => ({ op: "set", id: task, field: "oracle", value: { kind: "expr", expr: "'Say'" } })],
+  ["a third port", "it can also end in another way, “Odd”", (_, task) => ({ op: "insert", parent: task, list: "ports", node: { name: "odd", when: "False", meta: { id: "odd" } } })],
+  ["a barrier", "several of its steps are done at the same time", (_, task) => ({ op: "insert", parent: task, list: "children", node: { barrier: "B", to: ["Say"], meta: { id: "bar" } } })],
+  ["a state with code", "“X” does something of its own when it begins", (_, task) => ({ op: "insert", parent: task, list: "children", node: { state: "X", entry: "pass", meta: { id: "x" } } })],
+  ["a link to what is no skill", "“X” is no skill of the library", (_, task) => ({ op: "insert", parent: task, list: "children", node: { state: "X", link: "GetPose", meta: { id: "x" } } })],
+  ["a disabled step that is led to", kOrder, (_, __, [, second]) => ({ op: "set", id: second ?? "", field: "meta", key: "disabled", value: true })],
+])("a task with %s is only read, as %s", (_, reason, change) => {
   const { tree, task, steps } = appOf("MoveTo", "Say", "Say");
   expect(lineOf(tree, task).form).toBe("editable");
   const applied = apply(tree, { operations: [change(tree, task, steps)] });
   if (applied instanceof Refusal) throw applied;
-  expect(lineOf(applied.tree, task).form).toBe("rich");
+  expect(lineOf(applied.tree, task)).toMatchObject({ form: "rich", reason });
 });
 
 test("a step that gets another name in RACE Pro stays a step", () => {
