@@ -22,16 +22,19 @@ def cube(out):
     return out.last["cell"]["bodies"][NAMES["Cube"]]["position"]
 
 
-def loop(times, *links):
-    """A document whose task does the links again and again."""
+def loop(times, *links, until=()):
+    """A document whose task does the links again and again. `until`: ports of them that end the loop, `STEP.port.NAME`."""
     names = [each["state"] for each in links]
     body = {"state": "Body", "children": [{**each, "ports": [{"name": "success", "to": to}]} if to else each
                                           for each, to in zip(links, [*names[1:], None], strict=True)], "first": names[0],
             "ports": [{"name": "success", "when": f"chi.{names[-1]}.port.success", "to": "Count"}]}
+    if until:
+        body["ports"].append({"name": "done", "when": " or ".join(f"chi.{port}" for port in until)})
     count = {**link("Repeat", "Count", times=times), "ports": [{"name": "again", "to": "Body"}]}
     return models.document("looping", {
         "state": "Root", "meta": {"loop": True}, "children": [body, count], "first": "Body",
-        "ports": [{"name": "success", "when": "chi.Count.port.done"}]}, library=DOCUMENT["library"])
+        "ports": [{"name": "success", "when": "chi.Count.port.done" + (" or chi.Body.port.done" if until else "")}]},
+        library=DOCUMENT["library"])
 
 
 class Form(unittest.TestCase):
@@ -165,6 +168,38 @@ class Loops(unittest.TestCase):
     def test_steps_that_take_no_time_do_not_end_the_run(self):
         out = run(loop(200, link("Count", target=0)))
         self.assertEqual((out.name, out.texts()[-1]), ("success", "200 parts"))
+
+    def test_until_a_step_says_so(self):
+        out = run(loop(0, link("Count", target=3), link("WaitTime", duration=0.5), until=["Count.port.reached"]))
+        self.assertEqual((out.name, out.fired.count("Root/Body.done"), out.fired.count("Root/Body/WaitTime.success")), ("success", 1, 2))
+
+    def test_or_so_many_times_if_no_step_says_so_before(self):
+        out = run(loop(2, link("Count", target=3), link("WaitTime", duration=0.5), until=["Count.port.reached"]))
+        self.assertEqual((out.name, out.fired.count("Root/Body.done"), out.fired.count("Root/Body/WaitTime.success")), ("success", 0, 2))
+
+
+class Pallets(unittest.TestCase):
+    """A pallet of two places is filled by a loop, from a place to which parts are brought."""
+    PICK, GRID = link("PickAt", pose="part"), link("Palletise", pose="place", columns=2, rows=1, direction="right")
+    NEXT = {"when": {"fires": "Root/Body/Palletise.success"},
+            "do": {"act": "place", "part": NAMES["Box"], "pose": {**CUBE, "position": [*CUBE["position"][:2], 0.025]}}}
+
+    def fill(self, *acts):
+        until = ["Palletise.port.full", "PickAt.port.no_part"]
+        out = run(loop(0, self.PICK, self.GRID, until=until), *acts, database=KNOWN, parts=("Cube", "Box"))
+        self.assertEqual((out.name, out.fired.count("Root/Body.done"), out.fired.count("Root/Count.again")), ("success", 1, 1))
+        self.assertLess(math.dist(cube(out), PLACED), 0.005)
+        return out
+
+    def test_until_the_pallet_is_full(self):
+        out = self.fill(self.NEXT)
+        self.assertEqual(out.fired.count("Root/Body/Palletise.full"), 1)
+        x, y, _ = PLACED
+        self.assertLess(math.dist(out.last["cell"]["bodies"][NAMES["Box"]]["position"][:2], [x, y - 0.08]), 0.005)
+
+    def test_or_until_there_is_no_part_more(self):
+        out = self.fill()
+        self.assertEqual((out.fired.count("Root/Body/PickAt.no_part"), out.fired.count("Root/Body/Palletise.full")), (1, 0))
 
 
 if __name__ == "__main__":

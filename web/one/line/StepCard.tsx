@@ -8,6 +8,7 @@ import { select } from "../select";
 import { texts } from "../texts";
 import { useDrag, useDragged } from "./drag";
 import { Line } from "./Line";
+import { repeatText } from "./repeatText";
 
 const t = texts.line;
 
@@ -17,10 +18,10 @@ interface Props {
   readonly isEditable: boolean;
 }
 
-/** `3 ×`, or `for ever`. */
-export function timesText(times: StepParameter | undefined): string {
+/** `3 ×` */
+function timesText(times: StepParameter | undefined): string {
   const value = times?.value.kind === "constant" ? times.value.value : undefined;
-  return typeof value !== "number" ? "" : value === 0 ? t.forEver : t.times(value);
+  return typeof value === "number" ? t.times(value) : "";
 }
 
 export function failureText(failure: Failure, times: StepParameter | undefined): string {
@@ -57,7 +58,7 @@ export function StepCard({ step, problems, isEditable }: Props) {
           <Picture name={icon} category={about.category} />
           <strong>{title}</strong>
           {summary !== "" && <span className="summary">{summary}</span>}
-          {step.repeat !== undefined && <span className="summary">{timesText(step.repeat)}</span>}
+          {step.repeat !== undefined && <span className="summary">{repeatText(step)}</span>}
           {disabled && <span className="mark">{t.off}</span>}
           {failure !== undefined && failure.kind !== "stop" && <span className="mark">{t.ifItFails(failureText(failure, step.times))}</span>}
           {problem !== undefined && <span className="mark is-problem">{problem.text}</span>}

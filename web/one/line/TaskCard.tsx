@@ -5,7 +5,7 @@ import { usePlace } from "../place";
 import { select } from "../select";
 import { texts } from "../texts";
 import { Line } from "./Line";
-import { timesText } from "./StepCard";
+import { repeatText } from "./repeatText";
 
 interface Props {
   readonly task: Step;
@@ -24,7 +24,7 @@ export function TaskCard({ task, index, count, problems }: Props) {
           {count > 1 && <span className="number">{index + 1}</span>}
           <strong>{task.title}</strong>
           {task.disabled && <small>{texts.line.off}</small>}
-          {task.repeat !== undefined && <small>{timesText(task.repeat)}</small>}
+          {task.repeat !== undefined && <small>{repeatText(task)}</small>}
           {line !== undefined && line.form !== "editable" && <small>{texts.line.toLookAt}</small>}
         </button>
         {task.about.doc !== undefined && <p>{task.about.doc}</p>}

@@ -1,14 +1,15 @@
 // What is done if a step fails, and where its other outcomes lead.
 import { setFailure, setOutcome } from "../../shared/timeline/changes/failure";
-import type { Failure, Step, Then, TimeLine } from "../../shared/timeline/timeLine";
+import type { Failure, Goes, Step, Then, TimeLine } from "../../shared/timeline/timeLine";
 import { perform } from "../editing";
 import { ownerOf } from "./StepPanel";
 import { ParameterField } from "./ParameterField";
 import { texts } from "../texts";
 
 const t = texts.step;
-const kKinds: readonly Failure["kind"][] = ["stop", "retry", "ask", "next"];
-const kThens: readonly Then[] = ["stop", "ask", "next"];
+/** `leave`: of steps that are repeated. */
+const kKinds: readonly Failure["kind"][] = ["stop", "retry", "ask", "next", "leave"];
+const kThens: readonly Then[] = ["stop", "ask", "next", "leave"];
 
 interface Props {
   readonly step: Step;
@@ -19,11 +20,12 @@ interface Props {
 export function FailureField({ step, line, disabled }: Props) {
   const { failure, errors, times } = step;
   if (failure === undefined) return null;
+  const isOffered = (what: string) => what !== "leave" || line.isRepeated;
   const set = (next: Failure) => void perform((tree, supplies) => setFailure(tree, step.id, next, supplies));
   return (
     <fieldset className="failure" disabled={disabled}>
       <legend>{t.ifItFails}</legend>
-      {kKinds.map((kind) => (
+      {kKinds.filter(isOffered).map((kind) => (
         <label key={kind} className="radio">
           <input type="radio" name={`failure-${step.id}`} checked={failure.kind === kind} onChange={() => set(kind === "retry" ? { kind, then: failure.kind === "retry" ? failure.then : failure.kind } : { kind })} />
           <span>{t.failures[kind]}</span>
@@ -35,7 +37,7 @@ export function FailureField({ step, line, disabled }: Props) {
           <label className="then">
             <span>{t.ifItFailsStill}</span>
             <select value={failure.then} onChange={(event) => set({ kind: "retry", then: kThens.find((then) => then === event.target.value) ?? "stop" })}>
-              {kThens.map((then) => (
+              {kThens.filter(isOffered).map((then) => (
                 <option key={then} value={then}>
                   {t.thens[then]}
                 </option>
@@ -58,14 +60,17 @@ export function FailureField({ step, line, disabled }: Props) {
   );
 }
 
-export function OutcomeFields({ step, disabled }: { readonly step: Step; readonly disabled: boolean }) {
+const kWays: readonly Goes[] = ["next", "end"];
+const kWaysOfLoop: readonly Goes[] = ["next", "end", "leave"];
+
+export function OutcomeFields({ step, line, disabled }: Props) {
   return step.outcomes.map(({ port, goes }) => (
     <fieldset key={port.name} className="failure" disabled={disabled}>
       <legend>{t.outcome(port.title)}</legend>
-      {(["next", "end"] as const).map((way) => (
+      {(line.isRepeated ? kWaysOfLoop : kWays).map((way) => (
         <label key={way} className="radio">
           <input type="radio" name={`${step.id}-${port.name}`} checked={goes === way} onChange={() => void perform((tree, supplies) => setOutcome(tree, step.id, port.name, way, supplies))} />
-          <span>{t.outcomes[way]}</span>
+          <span>{(line.isRepeated ? t.outcomesOfLoop : t.outcomes)[way]}</span>
         </label>
       ))}
     </fieldset>

@@ -10,6 +10,7 @@ import { Picture } from "../Picture";
 import { MoveTo } from "./MoveTo";
 import { FailureField, OutcomeFields } from "./FailureField";
 import { ParameterField } from "./ParameterField";
+import { RepeatField } from "./RepeatField";
 import { StepTools } from "./StepTools";
 import { texts } from "../texts";
 
@@ -31,11 +32,11 @@ export function StepPanel({ step, line, application }: Props) {
       {line.form !== "editable" && <p className="notice">{t.ofPro}</p>}
       {refusal !== undefined && <p className="notice">{t.onlyToLookAt(refusal)}</p>}
       <Parameters step={step} line={line} disabled={refusal !== undefined} />
-      {step.repeat !== undefined && <ParameterField key="repeat" state={ownerOf(step.repeat)} line={line} parameter={step.repeat} problem={undefined} disabled={!isEditable} />}
+      <RepeatField loop={step} line={line} disabled={!isEditable} />
       {line.form === "editable" && (
         <>
           <FailureField step={step} line={line} disabled={!isEditable} />
-          <OutcomeFields step={step} disabled={!isEditable} />
+          <OutcomeFields step={step} line={line} disabled={!isEditable} />
           <StepTools step={step} line={line} disabled={!isEditable}>
             <MoveTo step={step} line={line} application={application} disabled={!isEditable} />
           </StepTools>

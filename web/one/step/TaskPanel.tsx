@@ -3,7 +3,8 @@ import type { Step, TimeLine } from "../../shared/timeline/timeLine";
 import { useRefusal } from "../client";
 import { FailureField } from "./FailureField";
 import { ParameterField } from "./ParameterField";
-import { ownerOf, TitleField } from "./StepPanel";
+import { RepeatField } from "./RepeatField";
+import { TitleField } from "./StepPanel";
 import { StepTools } from "./StepTools";
 import { texts } from "../texts";
 
@@ -27,7 +28,7 @@ export function TaskPanel({ step, line, isEditable }: Props) {
         {step.parameters.filter(({ about }) => !about.internal).map((parameter) => (
           <ParameterField key={parameter.about.name} state={step.id} line={line} parameter={parameter} problem={undefined} disabled={refusal !== undefined} />
         ))}
-        {step.repeat !== undefined && <ParameterField state={ownerOf(step.repeat)} line={line} parameter={step.repeat} problem={undefined} disabled={disabled} />}
+        <RepeatField loop={step} line={line} disabled={disabled} />
       </section>
       {isEditable && (
         <>

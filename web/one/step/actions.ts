@@ -107,7 +107,7 @@ export function duplicateSelected(): void {
 export const turn = (id: string, off: boolean): void => void perform((tree, supplies) => setDisabled(tree, id, off, supplies));
 
 /** How often a new loop repeats. */
-const kTimes = 3;
+export const kTimes = 3;
 
 export const repeat = (ids: readonly string[]): void => added(perform((tree, supplies) => loopSteps(tree, ids, kTimes, supplies)));
 

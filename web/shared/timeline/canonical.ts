@@ -2,10 +2,11 @@
 // form of api/skills.md; so the same function writes the form and recognises it.
 import type { Operation } from "../edit/apply";
 import { nameOfElement, type NewId } from "../edit/commands/command";
+import { withoutCommentsOn } from "../edit/comments/write";
 import { elementOf, listOf, type Tree } from "../edit/tree";
 import { entryOf } from "../json";
 import { declaredIn, metaOf, textOf } from "../skills/declared";
-import { conditionTerm, isDisabled, portsOf, targetOf, termsOf, type Intent, type PlannedStep } from "./plan";
+import { conditionTerm, isDisabled, kLeaves, loopOf, portsOf, targetOf, termsOf, type Intent, type PlannedStep } from "./plan";
 import type { Then } from "./timeLine";
 
 /** The name of a sibling; nothing: nowhere. */
@@ -43,7 +44,7 @@ function markNext(tree: Tree, state: string, port: string, marked: boolean, newI
 /** What a task says: its steps in their order. */
 export function settleTask(tree: Tree, composite: string, steps: readonly PlannedStep[], intents: ReadonlyMap<string, Intent>, newId: NewId): readonly Operation[] {
   const operations: Operation[] = [];
-  const [succeeds, stops]: [string[], string[]] = [[], []];
+  const [succeeds, stops, leaves]: [string[], string[], string[]] = [[], [], []];
   const enabled = steps.filter(({ id }) => !isDisabled(tree, id));
   for (const [i, { id }] of steps.entries()) {
     const intent = intents.get(id);
@@ -55,18 +56,18 @@ export function settleTask(tree: Tree, composite: string, steps: readonly Planne
     const handler = (of: string | undefined): Target => (of === undefined ? undefined : nameOfElement(tree, of));
     const lead = (state: string, port: string, to: Target, ends: string[] | undefined) => {
       operations.push(...leadTo(tree, state, port, to, newId));
-      if (to === undefined && ends !== undefined && (isOn || ends === stops)) ends.push(conditionTerm(nameOfElement(tree, state), port));
+      if (to === undefined && ends !== undefined && (isOn || ends !== succeeds)) ends.push(conditionTerm(nameOfElement(tree, state), port));
     };
     const fail = (state: string, port: string, then: Then) => {
       if (then === "ask") lead(state, port, handler(intent.ask), undefined);
       else if (then === "next") lead(state, port, next, succeeds);
-      else lead(state, port, undefined, stops);
+      else lead(state, port, undefined, then === "leave" ? leaves : stops);
     };
     const { nominal, outcomes, errors } = portsOf(tree, id);
     if (nominal !== undefined) lead(id, nominal, next, succeeds);
     for (const { name: port } of outcomes) {
       const goes = intent.goes.get(port) ?? "end";
-      lead(id, port, goes === "next" ? next : undefined, succeeds);
+      lead(id, port, goes === "next" ? next : undefined, goes === "leave" ? leaves : succeeds);
       operations.push(...markNext(tree, id, port, goes === "next" && next === undefined, newId));
     }
     const { failure, retry, ask } = intent;
@@ -88,7 +89,17 @@ export function settleTask(tree: Tree, composite: string, steps: readonly Planne
   return [
     ...operations, ...beginsWith(tree, composite, first === undefined ? undefined : nameOfElement(tree, first.id)),
     ...becomes(tree, composite, "success", first === undefined ? ["True"] : succeeds, newId), ...becomes(tree, composite, "error", stops, newId),
+    ...(loopOf(tree, composite) === undefined ? [] : leavesWhen(tree, composite, leaves, newId)),
   ];
+}
+
+const leavePort = (tree: Tree, body: string): string | undefined => listOf(tree, body, "ports").find((id) => nameOfElement(tree, id) === kLeaves);
+
+/** The port with which what is repeated ends its loop is there only if a step does so. */
+function leavesWhen(tree: Tree, body: string, terms: readonly string[], newId: NewId): readonly Operation[] {
+  const port = leavePort(tree, body);
+  if (terms.length > 0) return becomes(tree, body, kLeaves, terms, newId);
+  return port === undefined ? [] : [...withoutCommentsOn(tree, [port]), { op: "remove", id: port }];
 }
 
 function beginsWith(tree: Tree, composite: string, first: Target): readonly Operation[] {
@@ -99,9 +110,10 @@ function beginsWith(tree: Tree, composite: string, first: Target): readonly Oper
 /** What a loop says. */
 export function settleLoop(tree: Tree, loop: string, body: string, count: string, newId: NewId): readonly Operation[] {
   const [bodyName, countName] = [nameOfElement(tree, body), nameOfElement(tree, count)];
+  const ends = [conditionTerm(countName, "done"), ...(leavePort(tree, body) === undefined ? [] : [conditionTerm(bodyName, kLeaves)])];
   return [
-    ...leadTo(tree, body, "success", countName, newId), ...leadTo(tree, body, "error", undefined, newId),
+    ...leadTo(tree, body, kLeaves, undefined, newId), ...leadTo(tree, body, "success", countName, newId), ...leadTo(tree, body, "error", undefined, newId),
     ...leadTo(tree, count, "again", bodyName, newId), ...leadTo(tree, count, "done", undefined, newId), ...beginsWith(tree, loop, bodyName),
-    ...becomes(tree, loop, "success", [conditionTerm(countName, "done")], newId), ...becomes(tree, loop, "error", [conditionTerm(bodyName, "error")], newId),
+    ...becomes(tree, loop, "success", ends, newId), ...becomes(tree, loop, "error", [conditionTerm(bodyName, "error")], newId),
   ];
 }

@@ -38,6 +38,16 @@ export interface NoPlan {
 
 export const isDisabled = (tree: Tree, id: string): boolean => metaOf(tree, id)["disabled"] === true;
 export const isLoop = (tree: Tree, id: string): boolean => metaOf(tree, id)["loop"] === true;
+
+/** The port of what a loop repeats with which the loop ends, whatever was counted. */
+export const kLeaves = "done";
+
+/** The loop that repeats a composite. */
+export function loopOf(tree: Tree, composite: string): string | undefined {
+  const { parent, fields } = elementOf(tree, composite);
+  return parent !== "" && isLoop(tree, parent) && entryOf(fields, "link") === undefined ? parent : undefined;
+}
+
 export const targetOf = ({ own, fields }: Declared): string | undefined => (own === undefined ? undefined : textOf(entryOf(fields, "to")));
 export const conditionTerm = (step: string, port: string): string => `chi.${step}.port.${port}`;
 
@@ -112,12 +122,13 @@ const targetAt = (tree: Tree, state: string | undefined, port: string): string |
   return declared === undefined ? undefined : targetOf(declared);
 };
 
-function intentOf(tree: Tree, id: string, handlers: ReadonlyMap<string, { readonly id: string; readonly role: "retry" | "ask" }>, stops: ReadonlySet<string>): Intent {
+function intentOf(tree: Tree, id: string, handlers: ReadonlyMap<string, { readonly id: string; readonly role: "retry" | "ask" }>, stops: ReadonlySet<string>, leaves: ReadonlySet<string>): Intent {
   const { outcomes, errors } = portsOf(tree, id);
   const then = (state: string, port: string): Then => {
     const target = targetAt(tree, state, port);
     if (target !== undefined) return handlers.get(target)?.role === "ask" ? "ask" : "next";
-    return stops.has(conditionTerm(nameOfElement(tree, state), port)) ? "stop" : "next";
+    const term = conditionTerm(nameOfElement(tree, state), port);
+    return stops.has(term) ? "stop" : leaves.has(term) ? "leave" : "next";
   };
   const [error] = errors;
   const first = error === undefined ? undefined : handlers.get(targetAt(tree, id, error.name) ?? "");
@@ -128,6 +139,7 @@ function intentOf(tree: Tree, id: string, handlers: ReadonlyMap<string, { readon
   const goes = outcomes.map(({ name: port }): readonly [string, Goes] => {
     const declared = declaredIn(tree, id, "ports").find((each) => each.name === port);
     const leads = declared !== undefined && targetOf(declared) !== undefined;
+    if (!leads && leaves.has(conditionTerm(nameOfElement(tree, id), port))) return [port, "leave"];
     return [port, leads || (declared?.own !== undefined && metaOf(tree, declared.own)["next"] === true) ? "next" : "end"];
   });
   return { failure, goes: new Map(goes), retry, ask, takes: takenBy(tree, id) };
@@ -143,5 +155,6 @@ export function planOf(tree: Tree, composite: string): Plan | NoPlan {
   const handlers = new Map(roles.flatMap(([id, role]) => (role === "retry" || role === "ask" ? [[nameOfElement(tree, id), { id, role }] as const] : [])));
   const steps = roles.flatMap(([id, role]) => (role === "skill" || role === "task" || role === "loop" ? [{ id, kind: role }] : []));
   const stops = termsOf(tree, composite, "error") ?? new Set();
-  return { steps, intents: new Map(steps.map(({ id }) => [id, intentOf(tree, id, handlers, stops)])) };
+  const leaves = (loopOf(tree, composite) === undefined ? undefined : termsOf(tree, composite, kLeaves)) ?? new Set();
+  return { steps, intents: new Map(steps.map(({ id }) => [id, intentOf(tree, id, handlers, stops, leaves)])) };
 }

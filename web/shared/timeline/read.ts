@@ -5,7 +5,7 @@ import { entryOf, type JsonValue } from "../json";
 import { declaredIn, linkedState, metaOf, textOf } from "../skills/declared";
 import { skillOf, supportOf, wordsOf, type Skill } from "../skills/skill";
 import { settleLoop, settleTask } from "./canonical";
-import { isDisabled, isLoop, planOf, portsOf, reasonAgainstComposite, targetOf, type Intent, type NoPlan, type Plan, type PlannedStep } from "./plan";
+import { isDisabled, isLoop, kLeaves, loopOf, planOf, portsOf, reasonAgainstComposite, targetOf, type Intent, type NoPlan, type Plan, type PlannedStep } from "./plan";
 import { settleSources } from "./sources";
 import type { Step, StepParameter, TimeLine } from "./timeLine";
 import { valueOf } from "./values";
@@ -17,7 +17,8 @@ export function readPlan(tree: Tree, composite: string): Plan | NoPlan {
   const plan = planOf(tree, composite);
   if ("reason" in plan) return plan;
   const ports = listOf(tree, composite, "ports").map((id) => nameOfElement(tree, id));
-  const another = ports.find((port) => port !== "success" && port !== "error");
+  const own = ["success", "error", ...(loopOf(tree, composite) === undefined ? [] : [kLeaves])];
+  const another = ports.find((port) => !own.includes(port));
   if (another !== undefined) return { reason: `it can also end in another way, “${wordsOf(another)}”` };
   if (listOf(tree, composite, "children").length === 0) return plan; // the first change writes its ports
   const changes = [...settleTask(tree, composite, plan.steps, plan.intents, kNoId), ...settleSources(tree, plan.steps, plan.intents, [], kNoId)];
@@ -31,17 +32,23 @@ export interface LoopParts {
   readonly count: string;
 }
 
-export function readLoop(tree: Tree, loop: string): LoopParts | NoPlan {
-  const own = reasonAgainstComposite(tree, loop);
-  if (own !== undefined) return { reason: own };
+/** What is in a loop: what it repeats, and what counts. */
+export function partsOf(tree: Tree, loop: string): LoopParts | undefined {
   const children = listOf(tree, loop, "children");
   const isCount = (id: string) => {
     const linked = linkedState(tree, id);
     return linked !== undefined && supportOf(tree, linked) === "repeat";
   };
   const [count, body] = [children.find(isCount), children.find((id) => elementOf(tree, id).kind === "state" && entryOf(elementOf(tree, id).fields, "link") === undefined)];
-  if (count === undefined || body === undefined || children.length !== 2) return { reason: "it is repeated in a way of its own" };
-  return settleLoop(tree, loop, body, count, kNoId).length === 0 ? { body, count } : { reason: "it is repeated in a way of its own" };
+  return count === undefined || body === undefined || children.length !== 2 ? undefined : { body, count };
+}
+
+export function readLoop(tree: Tree, loop: string): LoopParts | NoPlan {
+  const own = reasonAgainstComposite(tree, loop);
+  if (own !== undefined) return { reason: own };
+  const parts = partsOf(tree, loop);
+  const isForm = parts !== undefined && settleLoop(tree, loop, parts.body, parts.count, kNoId).length === 0;
+  return isForm ? parts : { reason: "it is repeated in a way of its own" };
 }
 
 /** What a state declares, with where each value comes from. */
@@ -118,7 +125,7 @@ function readOnly(tree: Tree, composite: string, reason: string): TimeLine {
   const { steps, again } = flowOf(tree, composite);
   const step = (id: string) => anyStep(tree, id, kindOf(tree, id));
   const others = listOf(tree, composite, "children").filter((id) => !steps.includes(id));
-  return { id: composite, title: skillOf(tree, composite).title, form: steps.length === 0 ? "list" : "rich", reason, steps: steps.map(step), others: others.map(step), again };
+  return { id: composite, title: skillOf(tree, composite).title, form: steps.length === 0 ? "list" : "rich", reason, steps: steps.map(step), others: others.map(step), again, isRepeated: false };
 }
 
 /** Of a tree, each composite is read once. */
@@ -140,7 +147,7 @@ function makeTimeLine(tree: Tree, composite: string): TimeLine {
     const intent = plan.intents.get(step.id);
     return intent === undefined ? anyStep(tree, step.id, step.kind) : plannedStep(tree, step, intent);
   });
-  return { id: composite, title: skillOf(tree, composite).title, form: "editable", reason: undefined, steps, others: [], again: undefined };
+  return { id: composite, title: skillOf(tree, composite).title, form: "editable", reason: undefined, steps, others: [], again: undefined, isRepeated: loopOf(tree, composite) !== undefined };
 }
 
 /** The application: its tasks are the children of the root, in one flow; or the root itself is the one task, if what is in it are no tasks. */

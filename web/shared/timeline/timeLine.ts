@@ -2,14 +2,14 @@
 import type { JsonValue } from "../json";
 import type { Skill, SkillParameter, SkillPort } from "../skills/skill";
 
-/** What an error leads to. */
-export type Then = "stop" | "next" | "ask";
+/** What an error leads to; `leave`: the loop around it ends, well. */
+export type Then = "stop" | "next" | "ask" | "leave";
 
 /** What is done if a step fails. */
 export type Failure = { readonly kind: Then } | { readonly kind: "retry"; readonly then: Then };
 
-/** Where an outcome that is no error leads: to the next step, or to the end of the task, as `success`. */
-export type Goes = "next" | "end";
+/** Where an outcome that is no error leads: to the next step; to the end of the task, as `success`; or to that of the loop around it. */
+export type Goes = "next" | "end" | "leave";
 
 /** A parameter of a step takes a result of an earlier one. */
 export interface Source {
@@ -76,6 +76,8 @@ export interface TimeLine {
   readonly others: readonly Step[];
   /** Id of the step to which the last one leads back. */
   readonly again: string | undefined;
+  /** It is what a loop repeats: steps can end the loop. */
+  readonly isRepeated: boolean;
 }
 
 /** All steps of time lines, with those within. */

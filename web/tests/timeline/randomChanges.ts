@@ -38,11 +38,15 @@ export function shapeOf(line: TimeLine): Expected[] {
 interface Place {
   /** Id of the composite. */
   readonly composite: string;
+  /** It is what a loop repeats. */
+  readonly isRepeated: boolean;
   readonly steps: Expected[];
 }
 
 const kSkills = skillsIn(skills.tree);
 const kFailures: readonly Failure[] = [{ kind: "stop" }, { kind: "next" }, { kind: "ask" }, { kind: "retry", then: "stop" }, { kind: "retry", then: "next" }, { kind: "retry", then: "ask" }];
+/** Of steps that are repeated, besides. */
+const kLoopFailures: readonly Failure[] = [{ kind: "leave" }, { kind: "retry", then: "leave" }];
 
 export class RandomTask {
   tree: Tree = emptyApp;
@@ -75,8 +79,8 @@ export class RandomTask {
   private sizeOf = (steps: readonly Expected[]): number => steps.reduce((sum, { steps: inner = [] }) => sum + 1 + this.sizeOf(inner), 0);
 
   private places(): readonly Place[] {
-    const within = (steps: readonly Expected[]): readonly Place[] => steps.flatMap((step) => (step.steps === undefined ? [] : [{ composite: this.compositeOf(step), steps: step.steps }, ...within(step.steps)]));
-    return [{ composite: "root", steps: this.expected }, ...within(this.expected)];
+    const within = (steps: readonly Expected[]): readonly Place[] => steps.flatMap((step) => (step.steps === undefined ? [] : [{ composite: this.compositeOf(step), isRepeated: step.kind === "loop", steps: step.steps }, ...within(step.steps)]));
+    return [{ composite: "root", isRepeated: false, steps: this.expected }, ...within(this.expected)];
   }
 
   private compositeOf({ id, kind }: Expected): string {
@@ -102,7 +106,7 @@ export class RandomTask {
     return this.take(command);
   }
 
-  private make(kind: string, { composite, steps }: Place, step: Expected | undefined): string {
+  private make(kind: string, { composite, steps, isRepeated }: Place, step: Expected | undefined): string {
     const { random, tree, supplies } = this;
     if (kind === "task") {
       const index = random.pick(steps.length + 1);
@@ -144,7 +148,7 @@ export class RandomTask {
         return step.id;
       case "failure": {
         if (step.failure === undefined) return "nothing";
-        const failure = random.of(kFailures);
+        const failure = random.of([...kFailures, ...(isRepeated ? kLoopFailures : [])]);
         const command = setFailure(tree, step.id, failure, supplies);
         if ("reason" in command && JSON.stringify(failure) === JSON.stringify(step.failure)) return "as it was";
         this.take(command);
@@ -155,7 +159,7 @@ export class RandomTask {
         const ports = Object.keys(step.goes);
         if (ports.length === 0) return "nothing";
         const port = random.of(ports);
-        const goes = step.goes[port] === "end" ? "next" : "end";
+        const goes = random.of((["next", "end", ...(isRepeated ? (["leave"] as const) : [])] as const).filter((way) => way !== step.goes[port]));
         this.take(setOutcome(tree, step.id, port, goes, supplies));
         step.goes[port] = goes;
         return `${step.id} ${port} ${goes}`;
@@ -165,6 +169,7 @@ export class RandomTask {
       case "unloop":
         if (step.kind !== "loop") return "nothing";
         this.take(unloop(tree, step.id, supplies));
+        for (const inner of step.steps ?? []) staysWithin(inner);
         steps.splice(at, 1, ...(step.steps ?? []));
         this.named = (step.steps ?? []).map(({ id }) => id);
         return step.id;
@@ -201,6 +206,7 @@ export class RandomTask {
     if (this.attempt(command) === undefined) return "refused";
     this.named = [step.id];
     steps.splice(steps.indexOf(step), 1);
+    if (!target.isRepeated) staysWithin(step);
     target.steps.splice(index, 0, step);
     return `${step.id} to ${target.composite} at ${index}`;
   }
@@ -221,11 +227,26 @@ export class RandomTask {
 
   private loop(steps: Expected[], at: number): string {
     const group = steps.slice(at, at + 1 + this.random.pick(3));
+    if (group.some(endsLoop)) {
+      const refused = loopSteps(this.tree, group.map((each) => each.id), 3, this.supplies);
+      if (!("reason" in refused) || !/ends the loop around it|repeat both/.test(refused.reason)) throw new Error("a step would end another loop");
+      return "refused";
+    }
     const id = this.attempt(loopSteps(this.tree, group.map((each) => each.id), 3, this.supplies));
     if (id === undefined) return "refused";
     steps.splice(at, group.length, { id, kind: "loop", title: "Repeat", disabled: false, failure: { kind: "stop" }, goes: {}, steps: group });
     return group.map((step) => step.id).join(" ");
   }
+}
+
+const endsLoop = ({ failure, goes }: Expected): boolean => failure?.kind === "leave" || (failure?.kind === "retry" && failure.then === "leave") || Object.values(goes).includes("leave");
+
+/** What ended a loop does what a new step does, where there is none. */
+function staysWithin(step: Expected): void {
+  const { failure } = step;
+  if (failure?.kind === "leave") step.failure = { kind: "stop" };
+  if (failure?.kind === "retry" && failure.then === "leave") step.failure = { kind: "retry", then: "stop" };
+  for (const [port, goes] of Object.entries(step.goes)) if (goes === "leave") step.goes[port] = "end";
 }
 
 const contains = (step: Expected, steps: readonly Expected[]): boolean => step.steps === steps || (step.steps ?? []).some((inner) => contains(inner, steps));

@@ -7,10 +7,11 @@ import { Refusal } from "../../edit/refusal";
 import { elementOf, listOf, type Tree } from "../../edit/tree";
 import { copyState, type SkillDocument } from "../../skills/copy";
 import { supportOf, type Support } from "../../skills/skill";
-import { settleTask } from "../canonical";
-import type { Intent, Plan, PlannedStep } from "../plan";
-import { readPlan } from "../read";
+import { settleLoop, settleTask } from "../canonical";
+import { loopOf, type Intent, type Plan, type PlannedStep } from "../plan";
+import { partsOf, readPlan } from "../read";
 import { settleQuestion, settleSources } from "../sources";
+import type { Then } from "../timeLine";
 
 /** What a change needs besides the document: where skills and support states come from. */
 export interface Supplies {
@@ -56,8 +57,12 @@ export class Draft {
 
   /** Makes the document say what is meant now. `joining`: steps that are new in their place. */
   settle(task: string, steps: readonly PlannedStep[], intents: ReadonlyMap<string, Intent>, joining: readonly string[] = []): void {
-    this.plans.set(task, { steps, intents });
-    this.do(...settleTask(this.tree, task, steps, intents, this.newId));
+    const loop = loopOf(this.tree, task);
+    const possible = loop === undefined ? withoutLeaving(intents) : intents;
+    this.plans.set(task, { steps, intents: possible });
+    this.do(...settleTask(this.tree, task, steps, possible, this.newId));
+    const parts = loop === undefined ? undefined : partsOf(this.tree, loop);
+    if (loop !== undefined && parts !== undefined) this.do(...settleLoop(this.tree, loop, parts.body, parts.count, this.newId));
     this.do(...settleSources(this.tree, steps, intents, joining, this.newId));
     for (const [step, { ask }] of intents) if (ask !== undefined) this.do(...settleQuestion(this.tree, step, ask, this.newId));
   }
@@ -116,6 +121,19 @@ export function command(tree: Tree, supplies: Supplies, work: (draft: Draft) => 
     if (error instanceof Impossible) return { reason: error.message };
     throw error;
   }
+}
+
+/** Whether a step ends the loop around it. */
+export const endsLoop = ({ failure, goes }: Intent): boolean => failure.kind === "leave" || (failure.kind === "retry" && failure.then === "leave") || [...goes.values()].includes("leave");
+
+/** Steps where there is no loop to end: they do what new ones do. */
+export function withoutLeaving(intents: ReadonlyMap<string, Intent>): ReadonlyMap<string, Intent> {
+  const stays = (then: Then): Then => (then === "leave" ? "stop" : then);
+  const change = (intent: Intent): Intent => ({
+    ...intent, failure: intent.failure.kind === "retry" ? { kind: "retry", then: stays(intent.failure.then) } : { kind: stays(intent.failure.kind) },
+    goes: new Map([...intent.goes].map(([port, goes]) => [port, goes === "leave" ? "end" : goes])),
+  });
+  return new Map([...intents].map(([id, intent]) => [id, endsLoop(intent) ? change(intent) : intent]));
 }
 
 export const without = (steps: readonly PlannedStep[], ids: readonly string[]): readonly PlannedStep[] => steps.filter(({ id }) => !ids.includes(id));

@@ -4,7 +4,7 @@ import { nameOfElement } from "../../edit/commands/command";
 import { withoutCommentsOn } from "../../edit/comments/write";
 import type { Tree } from "../../edit/tree";
 import { skillOf } from "../../skills/skill";
-import { portsOf, type Intent } from "../plan";
+import { loopOf, portsOf, type Intent } from "../plan";
 import type { Failure, Goes } from "../timeLine";
 import { command, Impossible, stepIn, type Draft, type Supplies } from "./draft";
 
@@ -22,12 +22,17 @@ function removeHandler(draft: Draft, id: string): void {
   draft.do(...withoutCommentsOn(draft.tree, [id]), { op: "remove", id });
 }
 
+function requireLoop(tree: Tree, task: string): void {
+  if (loopOf(tree, task) === undefined) throw new Impossible("it stands in no loop that it could end");
+}
+
 export const setFailure = (tree: Tree, step: string, failure: Failure, supplies: Supplies): Command =>
   command(tree, supplies, (draft) => {
     const task = draft.parentOf(step);
     const plan = draft.plan(task);
     const { intent } = stepIn(plan, step);
     if (portsOf(tree, step).errors.length === 0) throw new Impossible("it cannot fail");
+    if ((failure.kind === "retry" ? failure.then : failure.kind) === "leave") requireLoop(tree, task);
     const needs = { retry: failure.kind === "retry", ask: failure.kind === "ask" || (failure.kind === "retry" && failure.then === "ask") };
     const handler = (support: "retry" | "ask"): string | undefined => {
       const now = intent[support];
@@ -46,6 +51,7 @@ export const setOutcome = (tree: Tree, step: string, port: string, goes: Goes, s
     const plan = draft.plan(task);
     const { intent } = stepIn(plan, step);
     if (!intent.goes.has(port)) throw new Impossible("it has no such outcome");
+    if (goes === "leave") requireLoop(tree, task);
     draft.settle(task, plan.steps, new Map([...plan.intents, [step, { ...intent, goes: new Map([...intent.goes, [port, goes]]) }]]));
     return step;
   });

@@ -6,13 +6,13 @@ import { withoutCommentsOn } from "../../edit/comments/write";
 import { exactNumber } from "../numbers";
 import type { Tree } from "../../edit/tree";
 import { skillOf } from "../../skills/skill";
-import { settleLoop } from "../canonical";
-import type { PlannedStep } from "../plan";
+import type { Intent, PlannedStep } from "../plan";
 import { readLoop } from "../read";
 import { emptyTask, newIntent } from "./add";
-import { command, Impossible, inserted, stepIn, without, type Supplies } from "./draft";
+import { endsLoop, command, Impossible, inserted, stepIn, without, withoutLeaving, type Supplies } from "./draft";
 import { keepValues } from "./kept";
 import { bring, standsBefore } from "./steps";
+import { assign } from "./values";
 
 /** Repeats steps that stand side by side `times`, or for ever (0). The loop is one step in their place. */
 export const loopSteps = (tree: Tree, ids: readonly string[], times: number, supplies: Supplies): Command =>
@@ -24,6 +24,7 @@ export const loopSteps = (tree: Tree, ids: readonly string[], times: number, sup
     const chosen = plan.steps.filter(({ id }) => ids.includes(id));
     const at = plan.steps.findIndex(({ id }) => id === chosen[0]?.id);
     if (chosen.length !== ids.length || chosen.some(({ id }, i) => plan.steps[at + i]?.id !== id)) throw new Impossible("the steps do not stand side by side");
+    for (const { id } of chosen) if (endsLoop(stepIn(plan, id).intent)) throw new Impossible(`"${skillOf(tree, id).title}" ends the loop around it: let it do something else first`);
     const [loop, body, count] = [draft.newId(), draft.newId(), draft.newId()];
     const link = draft.support("repeat");
     const { ports: _, meta, ...node } = emptyTask(draft.freeName(task, "Loop"), loop, draft.newId, "Repeat");
@@ -38,11 +39,35 @@ export const loopSteps = (tree: Tree, ids: readonly string[], times: number, sup
       inner = [...inner, step];
     }
     draft.settle(body, inner, new Map(inner.map(({ id }) => [id, stepIn(plan, id).intent])));
-    draft.do(...settleLoop(draft.tree, loop, body, count, draft.newId));
     const rest = without(plan.steps, ids);
     const intents = new Map([...plan.intents].filter(([id]) => !ids.includes(id)));
     draft.settle(task, inserted(rest, at, [{ id: loop, kind: "loop" }]), new Map([...intents, [loop, newIntent(draft.tree, loop)]]));
     keepValues(tree, draft, undefined, () => "repeat both");
+    return loop;
+  });
+
+/** An outcome of a step that a loop repeats. */
+export interface Until {
+  readonly step: string;
+  readonly port: string;
+}
+
+/**
+ * Repeats until a step says so, or no more until then. What ends a loop by its steps is not counted, unless that is set afterwards; `times` is how often it repeats
+ * where nothing else ends it any more.
+ */
+export const repeatUntil = (tree: Tree, loop: string, { step, port }: Until, isEnd: boolean, times: number, supplies: Supplies): Command =>
+  command(tree, supplies, (draft) => {
+    draft.parentOf(loop);
+    const parts = readLoop(tree, loop);
+    if ("reason" in parts) throw new Impossible(`this can only be changed in RACE Pro: ${parts.reason}`);
+    const { steps, intents } = draft.plan(parts.body);
+    const intent = intents.get(step);
+    if (intent?.goes.has(port) !== true) throw new Impossible("it has no such outcome");
+    const next = new Map<string, Intent>([...intents, [step, { ...intent, goes: new Map([...intent.goes, [port, isEnd ? "leave" : "end"]]) }]]);
+    draft.settle(parts.body, steps, next);
+    const [was, is] = [intents, next].map((all) => [...all.values()].some(endsLoop));
+    if (was !== is) assign(draft, parts.count, "times", exactNumber(isEnd ? 0 : times, true));
     return loop;
   });
 
@@ -62,7 +87,7 @@ export const unloop = (tree: Tree, loop: string, supplies: Supplies): Command =>
     }
     const gone = [loop, intent.retry, intent.ask].filter((id) => id !== undefined);
     draft.do(...withoutCommentsOn(draft.tree, gone), ...gone.map((id): Operation => ({ op: "remove", id })));
-    const intents = new Map([...plan.intents, ...body.intents]);
+    const intents = new Map([...plan.intents, ...withoutLeaving(body.intents)]);
     intents.delete(loop);
     draft.settle(task, without(steps, [loop]), intents, body.steps.map(({ id }) => id));
     keepValues(tree, draft, undefined, standsBefore);

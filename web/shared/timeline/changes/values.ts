@@ -7,26 +7,32 @@ import { entryOf } from "../../json";
 import { sourcesFor, takeFrom } from "../sources";
 import type { Source } from "../timeLine";
 import { valueOf } from "../values";
-import { command, Impossible, stepIn, type Supplies } from "./draft";
+import { command, Impossible, stepIn, type Draft, type Supplies } from "./draft";
 
 /** Sets a parameter to a constant, with its numbers as they were written. One that stands at a state around this one is set there. */
 export const setValue = (tree: Tree, state: string, name: string, value: ExactJson, supplies: Supplies): Command =>
   command(tree, supplies, (draft) => {
     draft.parentOf(state);
-    const now = valueOf(tree, state, name);
-    if (now.kind === "computed") throw new Impossible("it is computed: only RACE Pro can change it");
-    const owner = now.kind === "taken" ? state : now.state;
-    const own = listOf(tree, owner, "parameters").find((id) => elementOf(tree, id).fields["name"] === nameAt(now, name));
-    if (own === undefined) {
-      const after = listOf(tree, owner, "parameters").at(-1);
-      const insert: Exact<Operation> = { op: "insert", parent: owner, list: "parameters", ...(after !== undefined && { after }), node: { name: nameAt(now, name), value, meta: { id: draft.newId() } } };
-      draft.do(insert);
-    } else {
-      if (entryOf(elementOf(tree, own).fields, "from") !== undefined) draft.do({ op: "set", id: own, field: "from" });
-      draft.do({ op: "set", id: own, field: "value", value });
-    }
+    assign(draft, state, name, value);
     return undefined;
   });
+
+/** The same in a change that does more. */
+export function assign(draft: Draft, state: string, name: string, value: ExactJson): void {
+  const { tree } = draft;
+  const now = valueOf(tree, state, name);
+  if (now.kind === "computed") throw new Impossible("it is computed: only RACE Pro can change it");
+  const owner = now.kind === "taken" ? state : now.state;
+  const own = listOf(tree, owner, "parameters").find((id) => elementOf(tree, id).fields["name"] === nameAt(now, name));
+  if (own === undefined) {
+    const after = listOf(tree, owner, "parameters").at(-1);
+    const insert: Exact<Operation> = { op: "insert", parent: owner, list: "parameters", ...(after !== undefined && { after }), node: { name: nameAt(now, name), value, meta: { id: draft.newId() } } };
+    draft.do(insert);
+  } else {
+    if (entryOf(elementOf(tree, own).fields, "from") !== undefined) draft.do({ op: "set", id: own, field: "from" });
+    draft.do({ op: "set", id: own, field: "value", value });
+  }
+}
 
 const nameAt = (now: ReturnType<typeof valueOf>, name: string): string => (now.kind === "constant" || now.kind === "missing" ? now.name : name);
 
