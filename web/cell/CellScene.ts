@@ -56,7 +56,7 @@ function place(object: Object3D, pose: Pose): void {
 export class CellScene {
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera(38, 1, 0.02, 40);
-  private readonly renderer = new WebGLRenderer({ antialias: true });
+  private readonly renderer: WebGLRenderer;
   private readonly controls: OrbitControls;
   private readonly contents = new Group();
   private readonly surroundings: Surroundings;
@@ -74,16 +74,23 @@ export class CellScene {
     this.collision.follow(this.camera);
     this.renderer.render(this.scene, this.camera);
     this.hands.placeLabels(this.camera);
+    this.appear();
   });
+  /** What is still to appear, one after the other. */
+  private hidden: Object3D[] = [];
 
+  /** `isPlain`: without shadows and smooth edges, and drawn in steps, so that it takes little of the time of the page where no GPU draws it. */
   constructor(
     private readonly host: HTMLElement,
     hand: Hand,
+    private readonly isPlain = false,
   ) {
+    this.renderer = new WebGLRenderer({ antialias: !isPlain });
     this.camera.up.set(0, 0, 1);
     this.camera.position.set(2.3, -2.0, 1.6);
-    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
-    this.renderer.shadowMap.enabled = true;
+    this.renderer.setPixelRatio(isPlain ? 1 : Math.min(2, devicePixelRatio));
+    this.renderer.shadowMap.enabled = !isPlain;
+    this.renderer.debug.checkShaderErrors = !isPlain;
     this.renderer.shadowMap.type = PCFShadowMap;
     host.append(this.renderer.domElement);
     this.renderer.domElement.setAttribute("aria-label", "3D view of the cell; drag to turn, wheel to zoom, Shift and drag to pull a link or a part; arrows move it, with Shift they turn it, + and − zoom, Home shows it as at first");
@@ -112,6 +119,7 @@ export class CellScene {
     this.robots = robots.map((model) => this.addRobot(model));
     const lowest = new Box3().setFromObject(this.contents).min.z;
     this.surroundings.placeFloor(Number.isFinite(lowest) ? Math.min(0, lowest) - 0.002 : 0);
+    if (this.isPlain) this.hide([this.contents, ...this.robots]);
     this.throttle.request();
   }
 
@@ -192,6 +200,19 @@ export class CellScene {
     });
   }
 
+  /** Each of these appears in a frame of its own, as shaders are made when something is drawn for the first time. */
+  private hide(objects: readonly Object3D[]): void {
+    this.hidden = [...objects];
+    for (const object of objects) object.visible = false;
+  }
+
+  private appear(): void {
+    const next = this.hidden.shift();
+    if (next === undefined) return;
+    next.visible = true;
+    this.throttle.request();
+  }
+
   private paintMarks(): void {
     this.hands.paint(tokenColour("--hand"));
     this.collision.paint(tokenColour("--bad"));
@@ -204,6 +225,7 @@ export class CellScene {
     this.shown = undefined;
     this.bodies.clear();
     this.movable.clear();
+    this.hidden = [];
     this.contents.traverse((part) => {
       if (!isMesh(part)) return;
       part.geometry.dispose();

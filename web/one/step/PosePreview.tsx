@@ -1,6 +1,7 @@
 // The cell in 3D with the arm as it stands in a taught pose; what is real does not move.
 import { useEffect, useRef, useState } from "react";
 import { CellScene } from "../../cell/CellScene";
+import { hasGpu } from "../../cell/hasGpu";
 import { listenToTheme } from "../../pro/theme/theme";
 import { createHand } from "../../shared/cell/hand";
 import { messageOf } from "../../shared/messageOf";
@@ -26,6 +27,9 @@ function armJoints(urdf: string): readonly string[] {
   return [...document.querySelectorAll("joint[type=revolute], joint[type=continuous]")].flatMap((joint) => joint.getAttribute("name") ?? []);
 }
 
+/** Lets what waits for its turn in the page have it: making a scene takes long. */
+const otherTasks = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
+
 interface Props {
   readonly name: string;
   /** [rad] */
@@ -36,14 +40,26 @@ export function PosePreview({ name, joints }: Props) {
   const frame = useRef<HTMLDivElement>(null);
   const [problem, setProblem] = useState<string>();
   useEffect(() => {
-    if (frame.current === null) return;
-    const scene = new CellScene(frame.current, kNoHand);
-    scene.grabbing.isPast = true;
-    const ended = listenToTheme(() => scene.paint());
-    fill(scene, joints).catch((error: unknown) => setProblem(messageOf(error)));
+    let isOver = false;
+    let close = (): void => undefined;
+    const show = async () => {
+      await otherTasks();
+      const isPlain = !hasGpu();
+      await otherTasks();
+      if (isOver || frame.current === null) return;
+      const scene = new CellScene(frame.current, kNoHand, isPlain);
+      scene.grabbing.isPast = true;
+      const ended = listenToTheme(() => scene.paint());
+      close = () => {
+        ended();
+        scene.dispose();
+      };
+      await fill(scene, joints);
+    };
+    show().catch((error: unknown) => isOver || setProblem(messageOf(error)));
     return () => {
-      ended();
-      scene.dispose();
+      isOver = true;
+      close();
     };
   }, [joints]);
   return (
