@@ -177,6 +177,16 @@ class Loops(unittest.TestCase):
         out = run(loop(2, link("Count", target=3), link("WaitTime", duration=0.5), until=["Count.port.reached"]))
         self.assertEqual((out.name, out.fired.count("Root/Body.done"), out.fired.count("Root/Body/WaitTime.success")), ("success", 0, 2))
 
+    def test_a_loop_within_a_loop_ends_alone_and_begins_anew_in_each_round(self):
+        inner = loop(0, link("Count", target=2), link("WaitTime", duration=0.1), until=["Count.port.reached"])["root"]
+        document = loop(3, link("WaitTime", duration=0.1))
+        body = document["root"]["children"][0]
+        body["children"].insert(0, {**inner, "state": "Inner", "ports": [{**inner["ports"][0], "to": "WaitTime"}]})
+        body["first"] = "Inner"
+        out = run(document)
+        rounds = [out.fired.count(f"Root/Body/{port}") for port in ("Inner/Body.done", "Inner/Body/Count.success", "WaitTime.success")]
+        self.assertEqual((out.name, rounds), ("success", [3, 3, 3]))
+
 
 class Pallets(unittest.TestCase):
     """A pallet of two places is filled by a loop, from a place to which parts are brought."""
