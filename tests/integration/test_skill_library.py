@@ -97,7 +97,7 @@ class OfAllDocuments(unittest.TestCase):
                 if port["name"] in known:
                     self.assertNotIn("advice", meta, where)
                     continue
-                self.assertRegex(meta["advice"], SENTENCE, where)
+                self.assertRegex(meta.get("advice", ""), SENTENCE, where)
                 self.assertGreaterEqual(len(meta["advice"].split()), 2, where)
                 self.assertFalse(re.search(r"\bpose\b", meta["advice"]) and not poses, where)  # it has none that could be chosen
 
