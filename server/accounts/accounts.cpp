@@ -203,7 +203,7 @@ std::vector<AccountToken> Accounts::tokens(std::string_view account, std::int64_
   const services::MutexLock lock(mutex_);
   std::vector<AccountToken> tokens = tokens_of(account);
   std::erase_if(tokens, [&](const AccountToken& token) { return has_expired(token, now); });
-  std::ranges::sort(tokens, {}, &AccountToken::created);
+  std::ranges::stable_sort(tokens, {}, &AccountToken::created);
   return tokens;
 }
 

@@ -67,7 +67,8 @@ class Accounts {
   /// own token has ended, or their role or groups are others.
   Expected<Issued> issue_for(const Identity& by, const std::string& label, std::int64_t now, std::int64_t expires,
                              const TokenScope& scope) EXCLUDES(changing_, mutex_);
-  /// Of the account, without those that have expired.
+  /// Of the account, without those that have expired: the oldest first, and of one millisecond by their digests, which
+  /// say nothing of which was first. After a restart in the same order.
   std::vector<AccountToken> tokens(std::string_view account, std::int64_t now) const EXCLUDES(mutex_);
   /// The account's token of this digest is known no more. Errors: `not_found`, those of AccountFile.
   Expected<void> revoke(const std::string& account, const std::string& digest) EXCLUDES(changing_, mutex_);

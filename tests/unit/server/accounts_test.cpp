@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <tuple>
+
 #include "server/accounts/secret.h"
 #include "services/sqlite/digest.h"
 #include "services/sqlite/table_hash.h"
@@ -234,6 +236,15 @@ TEST_F(AccountsTest, ATokenIsMadeForWhoWantedItWhileTheyAreWhoTheyWere) {
   EXPECT_EQ(refusal(eve), "not_found") << "removed";
   ASSERT_TRUE(accounts->add(person("eve", Role::cell_operator)));
   EXPECT_EQ(refusal(eve), "conflict") << "another account of this name";
+}
+
+TEST_F(AccountsTest, TokensAreListedFromTheOldestOnAndOfOneMillisecondByTheirDigests) {
+  ASSERT_TRUE(accounts->add(person("ada", Role::admin)));
+  for (int i = 0; i < 40; ++i) ASSERT_TRUE(accounts->issue("ada", "script", kNow - i % 2, 0));
+  const std::vector<AccountToken> tokens = accounts->tokens("ada", kNow);
+  ASSERT_THAT(tokens, SizeIs(40));
+  for (std::size_t i = 1; i < tokens.size(); ++i)
+    EXPECT_LT(std::tie(tokens[i - 1].created, tokens[i - 1].digest), std::tie(tokens[i].created, tokens[i].digest));
 }
 
 // Of version 1: tokens have no scope.
