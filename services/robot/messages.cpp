@@ -167,7 +167,8 @@ Value to_value(const Incident& incident, const ControlUnit& unit) {
 
 Value control_value(const ControlUnit& unit, const Value& collision) {
   const Operational& operational = unit.behavior().operational;
-  Dict header{{"mode", Value(name(operational.mode))}, {"moving", unit.moving()}};
+  Dict header{
+      {"mode", Value(name(operational.mode))}, {"moving", unit.moving()}, {"speed_override", unit.speed_override()}};
   if (operational.mode == Mode::cartesian_impedance && operational.force) header.set("force", *operational.force);
   if (!collision.is_null()) header.set("collision", collision);
   return header;

@@ -45,6 +45,13 @@ void Robot::move(const services::Call& call, const Dict& arguments) {
   if (const auto accepted = unit_.move(action->command, action->behavior); !accepted)
     return refuse(call, to_value(accepted.error()));
   moving_ = call.id;
+  explain_standstill();
+}
+
+/// A motion begins: whoever has set the override to 0 may have left long ago.
+void Robot::explain_standstill() {
+  if (unit_.speed_override() == 0)
+    host().log("a motion waits at its start: `speed_override` is 0, and it goes on when somebody sets it above 0");
 }
 
 void Robot::set_payload(const std::optional<Vec3>& part) {
@@ -60,7 +67,7 @@ void Robot::jog(const services::Call& call, const Dict& arguments) {
   const auto wanted = read_jog(arguments);
   if (!wanted) return refuse_held(call, wanted.error());
   if (const auto accepted = unit_.jog(*wanted); !accepted) return refuse_held(call, accepted.error());
-  held_ = kJogDone;
+  if (std::exchange(held_, kJogDone).empty()) explain_standstill();
   host().result(call.id, nullptr);
 }
 

@@ -41,6 +41,7 @@ class Robot final : public services::TableComponent {
   void refuse_held(const services::Call& call, const Refusal& refusal);
   void end_refused(const services::Call& call);
   void set_payload(const std::optional<Vec3>& part);
+  void explain_standstill();
   void stop(const services::Call& call);
   void change_behavior(const services::Call& call, const Dict& arguments);
   void speed_override(const services::Call& call, const Dict& arguments);

@@ -322,7 +322,7 @@ TEST_F(RobotService, PublishesHowItIsControlledOnlyWhileSomebodyListens) {
   run(1);
   ASSERT_EQ(host.packets["control"].size(), 5U);
   const auto now = [this] { return host.packets["control"].back()->header; };
-  EXPECT_EQ(to_json(now()), R"({"mode":"position","moving":false})");
+  EXPECT_EQ(to_json(now()), R"({"mode":"position","moving":false,"speed_override":1.0})");
   call("change_behavior", R"([{"operational": {"mode": "cartesian_impedance", "limits": {"force": 20}}}])");
   run(0.2);
   EXPECT_EQ(now().find("mode")->as_string(), "cartesian_impedance");

@@ -37,7 +37,7 @@ class Recorder final : public ServiceHost {
   void publish(std::string_view flow, PacketPtr packet) override {
     packets[std::string(flow)].push_back(std::move(packet));
   }
-  void log(std::string) override {}
+  void log(std::string text) override { logged.push_back(std::move(text)); }
 
   /// Calls an operation of `component`; arguments are JSON: a list by position or an object by name. Its call id.
   CallId call(Component& component, const std::string& operation, std::string_view arguments = "[]") {
@@ -68,6 +68,7 @@ class Recorder final : public ServiceHost {
   std::map<std::string, Value> events;  // the last data of each
   std::map<std::string, int> counts;
   std::map<std::string, std::vector<PacketPtr>> packets;
+  std::vector<std::string> logged;
   std::vector<std::string> violations;
 
  private:
