@@ -7,14 +7,27 @@
 
 namespace race::server {
 
-tl::expected<std::string, std::chrono::milliseconds> Pairings::issue(Pairing pairing, Time now) {
+// The share first: who has used it up waits for their own codes.
+std::optional<Pairings::Full> Pairings::full(std::string_view account, Time now) const {
+  std::size_t own = 0;
+  Time first = Time::max(), first_own = Time::max();
+  for (const auto& [digest, entry] : pairings_) {
+    first = std::min(first, entry.until);
+    if (entry.pairing.by.account != account) continue;
+    ++own;
+    first_own = std::min(first_own, entry.until);
+  }
+  const auto until = [now](Time time) { return std::chrono::ceil<std::chrono::milliseconds>(time - now); };
+  if (own >= kMostOfAccount) return Full{kMostOfAccount, true, until(first_own)};
+  if (pairings_.size() >= kMost) return Full{kMost, false, until(first)};
+  return std::nullopt;
+}
+
+tl::expected<std::string, Pairings::Full> Pairings::issue(Pairing pairing, Time now) {
   std::string code = make_code();
   const services::MutexLock lock(mutex_);
   std::erase_if(pairings_, [&](const auto& entry) { return entry.second.until <= now; });
-  if (pairings_.size() >= kMost) {
-    const auto first = std::ranges::min_element(pairings_, {}, [](const auto& entry) { return entry.second.until; });
-    return tl::unexpected(std::chrono::ceil<std::chrono::milliseconds>(first->second.until - now));
-  }
+  if (const auto too_many = full(pairing.by.account, now)) return tl::unexpected(*too_many);
   pairings_.emplace(digest_of_secret(code), Entry{std::move(pairing), now + kLife});
   return code;
 }

@@ -31,10 +31,17 @@ class Pairings {
  public:
   using Time = std::chrono::steady_clock::time_point;
   static constexpr std::chrono::seconds kLife{60};
-  static constexpr std::size_t kMost = 64;  // codes that wait
+  static constexpr std::size_t kMost = 64;          // codes that wait
+  static constexpr std::size_t kMostOfAccount = 8;  // so that one account does not keep out the others
 
-  /// A new code. Else kMost wait: how long until the first of them is too old.
-  tl::expected<std::string, std::chrono::milliseconds> issue(Pairing pairing, Time now) EXCLUDES(mutex_);
+  /// Too many codes wait: those of the account, or those of all.
+  struct Full {
+    std::size_t most = 0;
+    bool of_account = false;
+    std::chrono::milliseconds wait{};  // until the first of them is too old
+  };
+  /// A new code.
+  tl::expected<std::string, Full> issue(Pairing pairing, Time now) EXCLUDES(mutex_);
   /// Takes the code back. Nothing: there is none, it was used, or is too old. Each takes as long: a code is looked for
   /// by its digest.
   std::optional<Pairing> take(std::string_view code, Time now) EXCLUDES(mutex_);
@@ -44,6 +51,9 @@ class Pairings {
     Pairing pairing;
     Time until;
   };
+
+  /// Those that wait, of one account or of all.
+  std::optional<Full> full(std::string_view account, Time now) const REQUIRES(mutex_);
 
   services::Mutex mutex_;
   std::map<std::string, Entry, std::less<>> pairings_ GUARDED_BY(mutex_);  // by digest

@@ -157,7 +157,7 @@ Expected<void> Application::create_cores(const Setup& setup) {
       std::make_unique<CellStop>(*control_, cell_->host(), *cores_,
                                  CellStop::Marks{StopMark(folder_->stop_mark()), ModeMark(folder_->mode_mark())},
                                  [this](const std::string& text) { log("cell", text, LogLevel::warning); });
-  manual_ = std::make_unique<ManualControl>(*control_, cell_->host(), *cell_stop_,
+  manual_ = std::make_unique<ManualControl>(*control_, cell_->host(), *cell_stop_, deadlines_,
                                             [this](const Identity& identity, std::string action, std::string outcome) {
                                               access_->record(identity, std::move(action), std::move(outcome));
                                             });

@@ -7,15 +7,20 @@ namespace race::server {
 
 using services::MutexLock;
 
-Expected<std::uint64_t> ManualControl::wait(Via via, PersonCalls::Respond respond) {
-  const bool is_request = via == Via::request;
-  if ((is_request ? by_request_ : holder_->calls).add(last_call_ + 1, std::move(respond))) return ++last_call_;
-  return unexpected(is_request ? ErrorCode::unavailable : ErrorCode::too_large,
-                    std::to_string(PersonCalls::kMost) + " calls wait for their responses");
+Expected<services::Caller> ManualControl::wait(services::Caller caller, Wanted wanted) {
+  PersonCalls::Waiting waiting{std::move(wanted.respond), wanted.by_request.value_or("")};
+  PersonCalls& calls = wanted.by_request ? by_request_ : holder_->calls;
+  if (auto may = calls.may_wait(waiting.account); !may)
+    return wanted.by_request ? tl::unexpected(std::move(may).error())
+                             : unexpected(ErrorCode::too_large, may.error().message);
+  caller.call = ++last_call_;
+  if (wanted.by_request) waiting.deadline = deadlines_.after(kResponseTime, [this, caller] { give_up(caller); });
+  calls.add(caller.call, std::move(waiting));
+  return caller;
 }
 
 Expected<ManualControl::ByHand> ManualControl::begin_by_hand(std::uint64_t control, const PersonCall& call, Steady now,
-                                                             Via via, PersonCalls::Respond respond) {
+                                                             Wanted wanted) {
   ASSIGN_OR_RETURN(const std::uint64_t fence, control_.fence_of(control));
   const bool is_held = host_.is_held(call.service, call.operation);
   const MutexLock lock(mutex_);
@@ -23,8 +28,8 @@ Expected<ManualControl::ByHand> ManualControl::begin_by_hand(std::uint64_t contr
     return unexpected(ErrorCode::leased, "you have not the controls of the cell any more");
   if (is_held && holder_->held.is_held_over(call.service, fence, now))
     return unexpected(ErrorCode::stopped, "the cell was stopped meanwhile: let the button go first");
-  ASSIGN_OR_RETURN(const std::uint64_t number, wait(via, std::move(respond)));
-  return ByHand{{Control::caller(control), number, fence}, holder_->begins(call, is_held, now)};
+  ASSIGN_OR_RETURN(services::Caller caller, wait({Control::caller(control), 0, fence}, std::move(wanted)));
+  return ByHand{std::move(caller), holder_->begins(call, is_held, now)};
 }
 
 // A call is a sign of life, too.
@@ -34,16 +39,17 @@ void ManualControl::call(Fields& fields, const Message& message) {
   const PersonCall call = read_call(std::move(service).value_or(""), fields);
   fields.close();
   if (!message.errors.empty()) return;
-  const auto respond = [number = *number, weak = std::weak_ptr(message.client)](Dict response) {
-    response.set("kind", "response");
-    response.set("number", number);
-    if (const auto client = weak.lock()) client->tell(Value(std::move(response)).freeze());
+  const auto respond = [number = *number, weak = std::weak_ptr(message.client)](const Expected<Dict>& response) {
+    Dict json = response ? *response : response_json(response.error());
+    json.set("kind", "response");
+    json.set("number", number);
+    if (const auto client = weak.lock()) client->tell(Value(std::move(json)).freeze());
   };
   const std::uint64_t control = number_of(*message.client);
   if (!control_.hear(control, message.now))
-    return respond(response_json(Error{ErrorCode::leased, "take the controls of the cell first"}));
-  const auto begun = begin_by_hand(control, call, message.now, Via::connection, respond);
-  if (!begun) return respond(response_json(begun.error()));
+    return respond(unexpected(ErrorCode::leased, "take the controls of the cell first"));
+  const auto begun = begin_by_hand(control, call, message.now, {respond});
+  if (!begun) return respond(tl::unexpected(begun.error()));
   if (begun->is_new)
     record_(message.client->identity(), "control call " + call.service + '.' + call.operation, "accepted");
   host_.call(begun->caller, call.service, call.operation, call.args, call.kwargs);
@@ -69,36 +75,37 @@ Expected<void> ManualControl::may_call(const Sender& sender, const PersonCall& c
   return {};
 }
 
-Expected<services::Caller> ManualControl::begin_free(PersonCalls::Respond respond) {
+Expected<services::Caller> ManualControl::begin_free(Wanted wanted) {
   const MutexLock lock(mutex_);
-  ASSIGN_OR_RETURN(const std::uint64_t number, wait(Via::request, std::move(respond)));
-  return services::Caller{std::string(kRequests), number, 0};
+  return wait({std::string(kRequests), 0, 0}, std::move(wanted));
 }
 
-Expected<services::Caller> ManualControl::call_by_request(const Sender& sender, const PersonCall& call,
-                                                          PersonCalls::Respond respond) {
+Expected<void> ManualControl::call_by_request(const Sender& sender, const PersonCall& call,
+                                              PersonCalls::Respond respond) {
   ASSIGN_OR_RETURN(const Effect effect, effect_of(call));
   if (auto may = may_call(sender, call, effect); !may) return tl::unexpected(std::move(may).error());
   ByHand begun{{}, effect.changes};
+  Wanted wanted{std::move(respond), sender.identity.account};
   if (sender.control == 0) {
-    ASSIGN_OR_RETURN(begun.caller, begin_free(std::move(respond)));
+    ASSIGN_OR_RETURN(begun.caller, begin_free(std::move(wanted)));
   } else {
-    ASSIGN_OR_RETURN(
-        begun, begin_by_hand(sender.control, call, std::chrono::steady_clock::now(), Via::request, std::move(respond)));
+    ASSIGN_OR_RETURN(begun, begin_by_hand(sender.control, call, std::chrono::steady_clock::now(), std::move(wanted)));
   }
   if (begun.is_new && effect.changes)
     record_(sender.identity, "service call " + call.service + '.' + call.operation, "accepted");
   host_.call(begun.caller, call.service, call.operation, call.args, call.kwargs);
-  return begun.caller;
+  return {};
 }
 
-bool ManualControl::give_up(const services::Caller& caller) {
+void ManualControl::give_up(const services::Caller& caller) {
+  std::optional<PersonCalls::Waiting> late;
   {
     const MutexLock lock(mutex_);
-    if (!by_request_.take(caller.call)) return false;
+    late = by_request_.take(caller.call);
   }
+  if (!late) return;
   host_.abandon(caller);
-  return true;
+  late->respond(unexpected(ErrorCode::unavailable, "the service has not responded yet; what was called may be done"));
 }
 
 // Numbers are of one count: a response is for one of the two alone.
@@ -106,14 +113,16 @@ void ManualControl::delivered(const services::Delivery& delivery) {
   const std::string& caller = delivery.caller.core;
   if (delivery.kind != services::Delivery::Kind::response || (caller != kRequests && !Control::is_person(caller)))
     return;
-  std::optional<PersonCalls::Respond> respond;
+  std::optional<PersonCalls::Waiting> waiting;
   {
     const MutexLock lock(mutex_);
-    respond = by_request_.take(delivery.caller.call);
-    if (!respond && holder_ && caller == Control::caller(holder_->number))
-      respond = holder_->calls.take(delivery.caller.call);
+    waiting = by_request_.take(delivery.caller.call);
+    if (!waiting && holder_ && caller == Control::caller(holder_->number))
+      waiting = holder_->calls.take(delivery.caller.call);
   }
-  if (respond) (*respond)(response_json(delivery));
+  if (!waiting) return;
+  deadlines_.drop(waiting->deadline);
+  waiting->respond(response_json(delivery));
 }
 
 }  // namespace race::server

@@ -91,7 +91,8 @@ void ManualControl::give(const std::shared_ptr<ControlClient>& client, const std
                      {"number", static_cast<std::int64_t>(*number)},
                      {"secret", secret},
                      {"beat_ms", std::int64_t{Control::kBeat.count()}},
-                     {"silence_ms", std::int64_t{Control::kSilence.count()}}});
+                     {"silence_ms", std::int64_t{Control::kSilence.count()}},
+                     {"most_calls", static_cast<std::int64_t>(PersonCalls::kMost)}});
 }
 
 // One person at a time asks.

@@ -29,14 +29,15 @@ namespace race::server {
 class ManualControl final : public ControlRequests {
  public:
   using Steady = Control::Steady;
-  static constexpr std::chrono::seconds kAnswerTime{30};  // for a person at the cell to allow a take-over
+  static constexpr std::chrono::seconds kAnswerTime{30};   // for a person at the cell to allow a take-over
+  static constexpr std::chrono::seconds kResponseTime{5};  // for a service to answer what a request calls
   /// What somebody has done, as a row of the audit log: who takes the controls, or asks for them; each call by hand,
   /// but of a motion while a button is held the first alone, and not the `stop` that ends it; and how the controls end.
   using Record = std::function<void(const Identity& identity, std::string action, std::string outcome)>;
 
   /// All outlive this.
-  ManualControl(Control& control, services::Host& host, CellStop& cell_stop, Record record)
-      : control_(control), host_(host), cell_stop_(cell_stop), record_(std::move(record)) {}
+  ManualControl(Control& control, services::Host& host, CellStop& cell_stop, Deadlines& deadlines, Record record)
+      : control_(control), host_(host), cell_stop_(cell_stop), deadlines_(deadlines), record_(std::move(record)) {}
 
   void request(const std::shared_ptr<ControlClient>& client, std::string_view message) override EXCLUDES(mutex_);
   void disconnected(const ControlClient& client) override EXCLUDES(mutex_);
@@ -49,14 +50,13 @@ class ManualControl final : public ControlRequests {
     const Identity& identity;
     std::uint64_t control = 0;
   };
-  /// Calls an operation for a request. `respond` gets the response, unless give_up() comes before. One that `moves`
-  /// passes what a call on a connection does. Errors: `not_found`: the service; `leased`: it moves, and they have not
-  /// the controls, or it changes something, and somebody else has them; `stopped`, of what is called while a button is
-  /// held that was held when the cell was; `unavailable`: PersonCalls::kMost others wait.
-  Expected<services::Caller> call_by_request(const Sender& sender, const PersonCall& call, PersonCalls::Respond respond)
+  /// Calls an operation for a request. `respond` gets the response, or after kResponseTime the error `unavailable`: the
+  /// call is abandoned, and what it began may go on. One that `moves` passes what a call on a connection does. Errors:
+  /// `not_found`: the service; `leased`: it moves, and they have not the controls, or it changes something, and
+  /// somebody else has them; `stopped`, of what is called while a button is held that was held when the cell was; those
+  /// of PersonCalls::may_wait().
+  Expected<void> call_by_request(const Sender& sender, const PersonCall& call, PersonCalls::Respond respond)
       EXCLUDES(mutex_);
-  /// Nobody waits for the response to this call of a request any more; whether somebody did.
-  bool give_up(const services::Caller& caller) EXCLUDES(mutex_);
   /// What a service says: responses to calls by people go to who made them. Under the host's lock: quick.
   void delivered(const services::Delivery& delivery) EXCLUDES(mutex_);
 
@@ -100,19 +100,24 @@ class ManualControl final : public ControlRequests {
   void beat(Fields& fields, const Message& message) EXCLUDES(mutex_);
   void give_back(Fields& fields, const Message& message) EXCLUDES(mutex_);
   void call(Fields& fields, const Message& message) EXCLUDES(mutex_);
-  /// Where a call comes from: the connection of who has the controls, or a request.
-  enum class Via { connection, request };
+  /// Who wants the response to a call: on the connection of who has the controls, or with a request, of this account.
+  struct Wanted {
+    PersonCalls::Respond respond;
+    std::optional<std::string> by_request = {};
+  };
   /// One that may be made; `is_new`: it is no part of a motion that has begun.
   struct ByHand {
     services::Caller caller;
     bool is_new = false;
   };
-  /// Its number. Errors, if PersonCalls::kMost others wait: `too_large`; of a request `unavailable`. Of a connection:
-  /// requires that somebody has the controls.
-  Expected<std::uint64_t> wait(Via via, PersonCalls::Respond respond) REQUIRES(mutex_);
-  Expected<ByHand> begin_by_hand(std::uint64_t control, const PersonCall& call, Steady now, Via via,
-                                 PersonCalls::Respond respond) EXCLUDES(mutex_);
-  Expected<services::Caller> begin_free(PersonCalls::Respond respond) EXCLUDES(mutex_);
+  /// The call that waits from now on, of this caller and fence. Errors: those of PersonCalls::may_wait(); on a
+  /// connection `too_large` for them, and it requires that somebody has the controls.
+  Expected<services::Caller> wait(services::Caller caller, Wanted wanted) REQUIRES(mutex_);
+  Expected<ByHand> begin_by_hand(std::uint64_t control, const PersonCall& call, Steady now, Wanted wanted)
+      EXCLUDES(mutex_);
+  Expected<services::Caller> begin_free(Wanted wanted) EXCLUDES(mutex_);
+  /// The response to this call of a request is late.
+  void give_up(const services::Caller& caller) EXCLUDES(mutex_);
   /// What the operation that is called may do, as its declaration says.
   struct Effect {
     bool moves = false, changes = false;
@@ -132,6 +137,7 @@ class ManualControl final : public ControlRequests {
   Control& control_;
   services::Host& host_;
   CellStop& cell_stop_;
+  Deadlines& deadlines_;
   const Record record_;
   mutable services::Mutex mutex_;  // the control's may be taken under it
   std::optional<Holder> holder_ GUARDED_BY(mutex_);

@@ -1,5 +1,6 @@
 #include "server/control/person_call.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "services/component.h"
@@ -27,11 +28,17 @@ Dict response_json(const Error& refused) {
   return Dict{{"error", services::error_value(name(refused.code), refused.message)}};
 }
 
-bool PersonCalls::add(std::uint64_t number, Respond respond) {
-  return calls_.size() < kMost && calls_.emplace(number, std::move(respond)).second;
+Expected<void> PersonCalls::may_wait(std::string_view account) const {
+  const auto is_of_account = [&](const auto& call) { return call.second.account == account; };
+  if (!account.empty() && std::cmp_greater_equal(std::ranges::count_if(calls_, is_of_account), kMostOfAccount))
+    return unexpected(ErrorCode::too_large,
+                      std::to_string(kMostOfAccount) + " calls of the account wait for their responses");
+  if (calls_.size() >= kMost)
+    return unexpected(ErrorCode::unavailable, std::to_string(kMost) + " calls wait for their responses");
+  return {};
 }
 
-std::optional<PersonCalls::Respond> PersonCalls::take(std::uint64_t number) {
+std::optional<PersonCalls::Waiting> PersonCalls::take(std::uint64_t number) {
   auto call = calls_.extract(number);
   if (!call) return std::nullopt;
   return std::move(call.mapped());

@@ -10,10 +10,13 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "core/value/expected.h"
 #include "core/value/fields.h"
 #include "core/value/value.h"
+#include "server/threads/deadlines.h"
 #include "services/host/delivery.h"
 
 namespace race::server {
@@ -38,16 +41,24 @@ Dict response_json(const Error& refused);
 class PersonCalls {
  public:
   static constexpr std::size_t kMost = 16;
-  /// Gets the response, as response_json() has it. Under the host's lock: quick.
-  using Respond = std::function<void(Dict response)>;
+  static constexpr std::size_t kMostOfAccount = 4;  // so that one account does not keep out the others
+  /// Gets the response, as response_json() has it, or why there is none in time. Under the host's lock: quick.
+  using Respond = std::function<void(Expected<Dict> response)>;
 
-  /// Whether it waits now: not if kMost others do.
-  bool add(std::uint64_t number, Respond respond);
+  struct Waiting {
+    Respond respond;
+    std::string account = {};     // whose share it has; empty: nobody's, where all calls are those of one person
+    Deadlines::Id deadline = {};  // of the response
+  };
+  /// Whether one more of the account may wait. Errors: `unavailable`: kMost do; `too_large`: kMostOfAccount of it do.
+  Expected<void> may_wait(std::string_view account) const;
+  /// Waits from now on. Requires may_wait() and a number that none has.
+  void add(std::uint64_t number, Waiting call) { calls_.emplace(number, std::move(call)); }
   /// Waits no more; nothing: it does not wait.
-  std::optional<Respond> take(std::uint64_t number);
+  std::optional<Waiting> take(std::uint64_t number);
 
  private:
-  std::map<std::uint64_t, Respond> calls_;  // by number
+  std::map<std::uint64_t, Waiting> calls_;  // by number
 };
 
 }  // namespace race::server

@@ -1,16 +1,14 @@
 // POST /api/v1/services/{service}/calls: one operation of a service, called by a person or their program.
-#include <chrono>
 #include <memory>
 
 #include "core/value/json.h"
 #include "server/handlers/handlers.h"
 #include "server/handlers/supervision.h"
-#include "server/threads/deadlines.h"
+#include "server/http/refusal.h"
+#include "server/threads/done.h"
 
 namespace race::server {
 namespace {
-
-constexpr std::chrono::seconds kResponseTime{5};
 
 Checked<PersonCall> read_service_call(const Request& request) {
   const auto body = parse_json(request.body);
@@ -23,21 +21,23 @@ Checked<PersonCall> read_service_call(const Request& request) {
   return call;
 }
 
+// Of an account that has its share: later again.
+Handled call_refused(const Error& error) {
+  if (error.code == ErrorCode::too_large) return refusal(429, "too_many", error.message);
+  return failed(error);
+}
+
 }  // namespace
 
-void call_service(const Request& request, Respond respond, ManualControl& manual, Deadlines& deadlines) {
+void call_service(const Request& request, Respond respond, ManualControl& manual) {
   const auto call = read_service_call(request);
   if (!call) return respond(tl::unexpected(call.error()));
   const auto number = control_of(request, manual);
   if (!number) return respond(failed(number.error()));
-  const auto once = std::make_shared<Once<Value>>(answer_to(as_routine(std::move(respond))));
-  const auto caller = manual.call_by_request({request.identity, *number}, *call,
-                                             [once](Dict response) { (*once)(std::move(response)); });
-  if (!caller) return (*once)(tl::unexpected(caller.error()));
-  deadlines.after(kResponseTime, [once, caller = *caller, &manual] {
-    if (manual.give_up(caller))
-      (*once)(unexpected(ErrorCode::unavailable, "the service has not responded yet; what was called may be done"));
-  });
+  const auto once = std::make_shared<Once<Value>>(answer_to(as_routine(respond)));
+  const auto begun = manual.call_by_request({request.identity, *number}, *call,
+                                            [once](Expected<Dict> response) { (*once)(std::move(response)); });
+  if (!begun) respond(call_refused(begun.error()));
 }
 
 }  // namespace race::server

@@ -95,7 +95,7 @@ Handled delete_backup(const Request& request, Backups& backups);
 void restore_backup(const Request& request, Respond respond, Backups& backups, Cores& cores, Editing& editing,
                     IdempotentAnswers& answers, Pool& restores);
 Handled list_services(const Request& request, Cell& cell);
-void call_service(const Request& request, Respond respond, ManualControl& manual, Deadlines& deadlines);
+void call_service(const Request& request, Respond respond, ManualControl& manual);
 Handled list_cores(const Request& request, Cores& cores);
 Handled create_core(const Request& request, Documents& documents, Cores& cores, LiveEdits& edits);
 Handled get_core(const Request& request, Cores& cores);

@@ -53,9 +53,10 @@ Checked<Pairing> read_pairing(const Request& request) {
   return pairing;
 }
 
-Reply too_many_codes(std::chrono::milliseconds wait) {
-  const std::string seconds = std::to_string(std::chrono::ceil<std::chrono::seconds>(wait).count());
-  Reply reply = refusal(429, "too_many", std::to_string(Pairings::kMost) + " codes wait to be used already");
+Reply too_many_codes(const Pairings::Full& full) {
+  const std::string seconds = std::to_string(std::chrono::ceil<std::chrono::seconds>(full.wait).count());
+  const std::string codes = std::to_string(full.most) + (full.of_account ? " codes of the account" : " codes");
+  Reply reply = refusal(429, "too_many", codes + " wait to be used already");
   reply.headers.emplace_back("Retry-After", seconds);
   return reply;
 }

@@ -7,13 +7,27 @@
 
 namespace race::server {
 
-void Deadlines::after(std::chrono::milliseconds time, Work work) {
+Deadlines::Id Deadlines::after(std::chrono::milliseconds time, Work work) {
+  Id id;
   {
     const services::MutexLock lock(mutex_);
-    if (closed_) return;
-    work_.emplace(Clock::now() + time, std::move(work));
+    if (closed_) return {};
+    id = {Clock::now() + time, ++last_};
+    work_.emplace(id, std::move(work));
   }
   changed_.notify_one();
+  return id;
+}
+
+void Deadlines::drop(const Id& id) {
+  decltype(work_)::node_type dropped;  // after the lock: it may own what asks for more
+  const services::MutexLock lock(mutex_);
+  dropped = work_.extract(id);
+}
+
+std::size_t Deadlines::size() const {
+  const services::MutexLock lock(mutex_);
+  return work_.size();
 }
 
 void Deadlines::close() {
@@ -39,9 +53,10 @@ std::optional<Work> Deadlines::next() {
       changed_.wait(mutex_, [this]() REQUIRES(mutex_) { return closed_ || !work_.empty(); });
       continue;
     }
-    const Clock::time_point due = work_.begin()->first, now = Clock::now();
+    const Clock::time_point due = work_.begin()->first.first, now = Clock::now();
     if (due <= now) return std::move(work_.extract(work_.begin()).mapped());
-    changed_.wait_for(mutex_, due - now, [&]() REQUIRES(mutex_) { return closed_ || work_.begin()->first < due; });
+    changed_.wait_for(mutex_, due - now,
+                      [&]() REQUIRES(mutex_) { return closed_ || work_.empty() || work_.begin()->first.first < due; });
   }
   return std::nullopt;
 }

@@ -102,10 +102,22 @@ class Pairing(PairingCase):
         self.assertEqual(connection.getresponse().status, 200, "others are not kept out")
         connection.close()
 
-    def test_at_most_64_codes_wait(self):
-        codes = [self.code() for _ in range(64)]
-        status, problem = self.as_token(self.server.tokens["admin"], "POST", "/pairings", PHONE)
-        self.assertEqual((status, problem["errors"][0]["code"]), (429, "too_many"))
+    def refused(self, account):
+        """That no code is made any more, which waits for a time; the message."""
+        status, problem = self.as_token(self.server.tokens[account], "POST", "/pairings", PHONE)
+        self.assertEqual((status, check("problem", problem)["errors"][0]["code"]), (429, "too_many"))
+        return problem["errors"][0]["message"]
+
+    def test_at_most_64_codes_wait_and_8_of_an_account(self):
+        for number in range(7):
+            guest = f"guest{number}"
+            self.server.post("/accounts", {"name": guest, "role": "operator"}, "account", 201)
+            self.server.tokens[guest] = self.server.post(f"/accounts/{guest}/tokens", {"label": "x"}, "token_created", 201)["token"]
+            codes = [self.code(guest) for _ in range(8)]
+            self.assertIn("8 codes of the account", self.refused(guest))
+        for _ in range(8):
+            self.code("developer")
+        self.assertIn("64 codes", self.refused("admin"))
         self.pair(codes[0])
         self.code("admin")
 

@@ -145,6 +145,17 @@ class Changes(CallCase):
         self.assertEqual((status, answer), (200, {"result": "pose_home"}))
 
 
+class Shares(unittest.TestCase):
+    def test_an_account_does_not_keep_out_the_others(self):
+        with AccountServer("--demo", DEMO) as server, concurrent.futures.ThreadPoolExecutor(10) as clients:
+            wait = ("POST", "/api/v1/services/timer/calls", {"operation": "wait", "args": [3]})
+            waiting = [clients.submit(server.ask, "operator", *wait) for _ in range(10)]
+            done = lambda: sorted(each.result() for each in waiting if each.done())
+            server.wait_for(lambda: done() == [429] * 6)
+            self.assertEqual(server.ask("developer", "POST", "/api/v1/services/timer/calls", {"operation": "wait", "args": [0]}), 200)
+            self.assertEqual(sorted(each.result() for each in waiting), [200] * 4 + [429] * 6)
+
+
 class Rights(unittest.TestCase):
     def test_an_operator_calls_and_the_audit_log_has_it(self):
         with AccountServer("--demo", DEMO) as server:

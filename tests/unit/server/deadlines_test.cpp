@@ -36,6 +36,23 @@ TEST(Deadlines, WorkThatThrowsIsOver) {
   last.get_future().wait();
 }
 
+TEST(Deadlines, KeepNothingOfWhatHasCome) {
+  Deadlines deadlines;
+  const auto kept = std::make_shared<int>(0);
+  std::promise<void> last;
+  const auto far = deadlines.after(1h, [kept] { FAIL(); });
+  const auto next = deadlines.after(30min, [kept] { FAIL(); });
+  const auto done = deadlines.after(0ms, [&] { last.set_value(); });
+  last.get_future().wait();
+  EXPECT_EQ(deadlines.size(), 2U);
+  for (const auto& id : {next, far, far, done}) deadlines.drop(id);
+  EXPECT_EQ(deadlines.size(), 0U);
+  EXPECT_EQ(kept.use_count(), 1);
+  std::promise<void> later;
+  deadlines.after(30ms, [&] { later.set_value(); });
+  later.get_future().wait();
+}
+
 TEST(Deadlines, DropWhatIsNotDueWhenTheyAreClosed) {
   Deadlines deadlines;
   auto kept = std::make_shared<int>(0);

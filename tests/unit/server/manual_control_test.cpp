@@ -57,7 +57,8 @@ struct ManualControlTest : HostedCores {
         control, host, *cores, CellStop::Marks{StopMark(place.file("stopped")), ModeMark(place.file("mode"))},
         [](const std::string&) {});
     manual = std::make_unique<ManualControl>(
-        control, host, *cell_stop, [this](const Identity& who, const std::string& action, const std::string& outcome) {
+        control, host, *cell_stop, deadlines,
+        [this](const Identity& who, const std::string& action, const std::string& outcome) {
           rows.push_back(who.account + ' ' + action + ' ' + outcome);
         });
   }
@@ -191,6 +192,32 @@ TEST_F(ManualControlTest, AButtonThatIsHeldOverAStopIsAnsweredStopped) {
     call(ada, "robot", operation);
     EXPECT_EQ(ada->codes(), std::vector<std::string>()) << "pressed again";
     std::this_thread::sleep_for(Control::kSilence + 10ms);
+  }
+}
+
+TEST_F(ManualControlTest, AnAccountHasItsShareOfTheCallsByRequestsThatWait) {
+  int responses = 0;
+  const auto request = [&](const char* account) {
+    const Identity who{account, Role::cell_operator};
+    const auto begun = manual->call_by_request({who}, {"robot", "stop"}, [&](const Expected<Dict>&) { ++responses; });
+    return begun ? "" : std::string(name(begun.error().code));
+  };
+  const auto respond = [&](std::uint64_t call) {
+    services::Delivery delivery;
+    delivery.kind = services::Delivery::Kind::response;
+    delivery.caller = {"request", call};
+    manual->delivered(delivery);
+  };
+  ASSERT_EQ(deadlines.size(), 0U);
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(request("ada"), "");
+  EXPECT_EQ(request("ada"), "too_large");
+  EXPECT_EQ(request("bob"), "");
+  EXPECT_EQ(deadlines.size(), 5U) << "none of what was refused";
+  for (std::uint64_t call = 1; call <= 5; ++call) respond(call);
+  EXPECT_EQ(responses, 5);
+  EXPECT_EQ(deadlines.size(), 0U) << "what was answered has none any more";
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_EQ(request(""), i < 16 ? "" : "unavailable") << i << ": without accounts, all are those of one person";
   }
 }
 

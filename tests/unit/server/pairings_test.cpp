@@ -13,7 +13,12 @@ using Time = Pairings::Time;
 const Identity kAda{"ada", Role::developer, {}, "digest", "10.0.0.7"};
 
 // Of phone1, phone2, ...
-Pairing phone(int number) { return {kAda, {Role::cell_operator, true, "phone" + std::to_string(number)}, "table", 30}; }
+Pairing phone(int number, const Identity& by = kAda) {
+  return {by, {Role::cell_operator, true, "phone" + std::to_string(number)}, "table", 30};
+}
+
+// Of an account of its own for each eight.
+Pairing phone_of_many(int number) { return phone(number, {"guest" + std::to_string(number / 8), Role::developer}); }
 
 TEST(Pairings, ACodeLetsOnePhoneIn) {
   Pairings pairings;
@@ -48,12 +53,30 @@ TEST(Pairings, ACodeHas128RandomBits) {
   EXPECT_TRUE(pairings.take(one, {}));
 }
 
+TEST(Pairings, EightOfAnAccountWaitAndKeepOutNoOther) {
+  Pairings pairings;
+  const Identity bob{"bob", Role::developer};
+  EXPECT_TRUE(pairings.issue(phone(0, bob), {}));
+  for (int i = 0; i < 8; ++i) ASSERT_TRUE(pairings.issue(phone(i), Time{} + 1s));
+  const Time later = Time{} + 10s;
+  const auto refused = pairings.issue(phone(8), later);
+  ASSERT_FALSE(refused);
+  EXPECT_TRUE(refused.error().of_account);
+  EXPECT_EQ(refused.error().most, 8U);
+  EXPECT_EQ(refused.error().wait, 51s) << "until the first of theirs is too old";
+  EXPECT_TRUE(pairings.issue(phone(1, bob), later));
+  EXPECT_TRUE(pairings.issue(phone(8), Time{} + 61s));
+}
+
 TEST(Pairings, AtMost64Wait) {
   Pairings pairings;
   std::vector<std::string> codes;
-  for (int i = 0; i < 64; ++i) codes.push_back(*pairings.issue(phone(i), Time{} + i * 1ms));
+  for (int i = 0; i < 64; ++i) codes.push_back(*pairings.issue(phone_of_many(i), Time{} + i * 1ms));
   const Time later = Time{} + 10s;
-  EXPECT_EQ(pairings.issue(phone(65), later).error(), 50s) << "until the first is too old";
+  const auto refused = pairings.issue(phone(65), later);
+  ASSERT_FALSE(refused);
+  EXPECT_FALSE(refused.error().of_account);
+  EXPECT_EQ(refused.error().wait, 50s) << "until the first is too old";
   EXPECT_TRUE(pairings.take(codes[7], later)) << "none has made way";
   EXPECT_TRUE(pairings.issue(phone(65), later));
   EXPECT_FALSE(pairings.issue(phone(66), later));

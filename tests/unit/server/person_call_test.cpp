@@ -31,15 +31,37 @@ TEST(PersonCall, AResponseHas16KiUnitsAtMost) {
 TEST(PersonCalls, SixteenWaitAndEachIsAnsweredOnce) {
   PersonCalls calls;
   int answered = 0;
-  const auto respond = [&](const Dict&) { ++answered; };
-  for (std::uint64_t number = 1; number <= 16; ++number) ASSERT_TRUE(calls.add(number, respond));
-  EXPECT_FALSE(calls.add(17, respond));
+  const auto respond = [&](const Expected<Dict>&) { ++answered; };
+  for (std::uint64_t number = 1; number <= 16; ++number) {
+    ASSERT_TRUE(calls.may_wait(""));
+    calls.add(number, {respond});
+  }
+  EXPECT_EQ(calls.may_wait("").error().code, ErrorCode::unavailable);
+  EXPECT_EQ(calls.may_wait("ada").error().code, ErrorCode::unavailable);
   const auto seventh = calls.take(7);
   ASSERT_TRUE(seventh);
-  (*seventh)({});
+  seventh->respond({});
   EXPECT_EQ(answered, 1);
   EXPECT_FALSE(calls.take(7));
-  EXPECT_TRUE(calls.add(17, respond));
+  EXPECT_TRUE(calls.may_wait(""));
+}
+
+TEST(PersonCalls, FourOfAnAccountWaitAndKeepOutNoOther) {
+  PersonCalls calls;
+  const auto respond = [](const Expected<Dict>&) {};
+  std::uint64_t number = 0;
+  for (const char* account : {"ada", "bob", "carol", "dave"}) {
+    for (int i = 0; i < 4; ++i) {
+      ASSERT_TRUE(calls.may_wait(account)) << account;
+      calls.add(++number, {respond, account});
+    }
+    EXPECT_EQ(calls.may_wait(account).error().code, ErrorCode::too_large);
+  }
+  EXPECT_EQ(calls.may_wait("eve").error().code, ErrorCode::unavailable) << "all have their share";
+  EXPECT_TRUE(calls.take(3));
+  EXPECT_EQ(calls.may_wait("bob").error().code, ErrorCode::too_large);
+  EXPECT_TRUE(calls.may_wait("ada"));
+  EXPECT_TRUE(calls.may_wait("eve"));
 }
 
 }  // namespace

@@ -47,9 +47,8 @@ export class CallError extends Error {
   }
 }
 
-/** The server takes these; more than the half of them mean that it does not answer. */
-export const kMostServed = 16;
-export const kMostCalls = kMostServed / 2;
+/** Share of the calls that the server lets wait: more mean that it does not answer, and what stops has the rest. */
+const kUsual = 0.5;
 /** Share of the time that the server expects between two signs of life. */
 const kEarly = 0.8;
 
@@ -76,6 +75,8 @@ export function createControlLink({ open, now, every, onChange }: LinkOptions) {
   /** That this page was silent, if it was until now. */
   let silence: () => string | undefined = () => undefined;
   let calls = 0;
+  /** That the server lets wait for responses. */
+  let mostCalls = 0;
   const pending = new Map<number, Pending>();
   /** Of takings: an address that comes late is for none that was given up. */
   let attempt = 0;
@@ -119,7 +120,8 @@ export function createControlLink({ open, now, every, onChange }: LinkOptions) {
   function receive(message: ControlMessage): void {
     switch (message.kind) {
       case "taken": {
-        const { number, secret, beat_ms, silence_ms } = message;
+        const { number, secret, beat_ms, silence_ms, most_calls } = message;
+        mostCalls = most_calls;
         beat(beat_ms, silence_ms);
         change({ kind: "held", number, secret, since: now() });
         return;
@@ -191,8 +193,7 @@ export function createControlLink({ open, now, every, onChange }: LinkOptions) {
     /** Calls an operation by hand. Rejects with a CallError. */
     call(service: string, operation: string, kwargs: Readonly<Record<string, JsonValue>> = {}): Promise<JsonValue> {
       if (state.kind !== "held") return Promise.reject(new CallError("leased", "take the controls first"));
-      // What stops has more room.
-      if (pending.size >= (operation === "stop" ? kMostServed : kMostCalls)) return Promise.reject(new CallError("too_large", "the server does not answer"));
+      if (pending.size >= mostCalls * (operation === "stop" ? 1 : kUsual)) return Promise.reject(new CallError("too_large", "the server does not answer"));
       const number = ++calls;
       return new Promise<JsonValue>((resolve, reject) => {
         pending.set(number, { resolve, reject });

@@ -56,7 +56,7 @@ export const requestCodes: Readonly<Record<string, string>> = {
   login: "The server knows nobody by this name and password, or by this token (status 401). Log in; a program needs a token in `RACE_TOKEN`, see Logging in.",
   attempts: "Too many logins have failed (status 429). Wait as long as the message says, then try again.",
   pairing: "The code that lets a phone in is wrong, was used, or is older than a minute (status 401). Show a new one where it was shown.",
-  too_many: "As many codes for phones wait as may (status 429). Each is good for a minute: try again then.",
+  too_many: "As many of these wait as your account may have, or all accounts together (status 429). A code for a phone is good for a minute, and a call waits for five seconds at most: try again then.",
   no_accounts: "This server has no accounts, so no phone needs a code (status 409): the address is all.",
   password: "The old password is another one (status 403). Who has forgotten it asks an admin for a new one.",
   origin: "A page of another site has asked (status 403). Only pages of this server may: open them from it.",
