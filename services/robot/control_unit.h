@@ -2,7 +2,8 @@
 // observes external forces, and reacts by reflex, without a task. It knows torques, positions and speeds of
 // joints and where the arm keeps clear; no world, no RACE.
 //
-// Threads: one, its group's.
+// Threads: one, its group's. control_unit.cpp has paths, laws and reactions, manual_motion.cpp what moves while a
+// person holds a button.
 #pragma once
 
 #include <functional>
