@@ -72,6 +72,31 @@ describe("a phone that scans a code", () => {
     await page.context().close();
   });
 
+  it("is led to the network that the person chooses, with the same code", async () => {
+    const page = await openDialog("ada");
+    // As of a machine in two networks: what the server says of itself, and one more.
+    await page.route("**/api/v1/pairings", async (route) => {
+      const answer = await route.fetch();
+      const made = (await answer.json()) as { readonly code: string };
+      await route.fulfill({ response: answer, json: { ...made, addresses: [{ url: "https://192.168.1.5:8443" }, { url: "https://10.0.0.7:8443" }] } });
+    });
+    await dialog(page).getByLabel("Name of the display").fill("right");
+    const network = dialog(page).getByLabel("Network of the phone");
+    await network.waitFor();
+    const first = new URL(await scan(page));
+    expect(first.origin).toBe("https://192.168.1.5:8443");
+    await network.selectOption("10.0.0.7");
+    await dialog(page).getByRole("img", { name: /^QR code of https:\/\/10\.0\.0\.7/ }).waitFor();
+    const second = new URL(await scan(page));
+    expect(second.origin).toBe("https://10.0.0.7:8443");
+    expect([second.search, second.hash]).toEqual([first.search, first.hash]);
+    await dialog(page).getByRole("link", { name: "https://10.0.0.7:8443/trust/" }).waitFor();
+    expect(await findings(page)).toEqual([]);
+    await fixture.screenshot("pairing-networks", page);
+    await dialog(page).getByRole("button", { name: "Close" }).click();
+    await page.context().close();
+  });
+
   it("is let in by a code once, and says what to do then", async () => {
     fixture.allowError(/status of 401/);
     const page = await openDialog("otto");

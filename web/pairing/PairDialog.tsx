@@ -2,9 +2,10 @@
 import { useEffect, useRef, useState } from "react";
 import type { Me, PairingCreate } from "../generated/messages";
 import type { Api } from "../shared/api";
-import { isDisplayName, pairing } from "../shared/display/pairing";
+import { isDisplayName, networkChoice, pairing } from "../shared/display/pairing";
 import { kRoleTexts } from "../shared/login/roles";
 import { useCode } from "./code";
+import { NetworkChoice } from "./NetworkChoice";
 import { PairCode } from "./PairCode";
 import { Reach } from "./Reach";
 
@@ -27,6 +28,7 @@ export function PairDialog({ api, me, refusal, onClose }: Props) {
   const [name, setName] = useState(kDefaultName);
   const [place, setPlace] = useState("");
   const [role, setRole] = useState<PairingCreate["role"]>("operator");
+  const [chosen, setChosen] = useState<string>();
   const [attempt, setAttempt] = useState(0);
   useEffect(() => dialog.current?.showModal(), []);
   const isName = isDisplayName(name);
@@ -34,7 +36,10 @@ export function PairDialog({ api, me, refusal, onClose }: Props) {
   const shown = { name: isName ? name : kDefaultName, ...(isPlace && place !== "" && { place }) };
   const hasAccounts = me?.accounts === true;
   const code = useCode(api, hasAccounts && refusal === undefined && isName && isPlace ? { role, ...shown, days: kDays } : undefined, attempt);
-  const { address, trust, tunnel } = pairing(location, { ...shown, ...(code.kind === "there" && { code: code.code }) }, code.kind === "there" ? code.origin : undefined);
+  const origins = code.kind === "there" ? code.origins : [];
+  // One that was chosen before, unless the server is there no more.
+  const network = origins.find((each) => each === chosen) ?? origins[0];
+  const { address, trust, tunnel } = pairing(location, { ...shown, ...(code.kind === "there" && { code: code.code }) }, network);
   return (
     <dialog ref={dialog} className="pairing" aria-label="Pair a phone" onClose={onClose} onClick={(event) => event.target === event.currentTarget && onClose()} onKeyDown={(event) => event.stopPropagation()}>
       <div className="pairing-body">
@@ -64,6 +69,7 @@ export function PairDialog({ api, me, refusal, onClose }: Props) {
               </select>
             </label>
           )}
+          <NetworkChoice networks={networkChoice(location, origins)} chosen={network} onChoose={setChosen} />
         </div>
         {!(isName && isPlace) && (
           <p id="pairing-name" className="bad" role="alert">

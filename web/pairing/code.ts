@@ -8,7 +8,8 @@ export type CodeState =
   /** The address is all. */
   | { readonly kind: "none" }
   | { readonly kind: "asked" }
-  | { readonly kind: "there"; readonly code: string; readonly origin: string | undefined; readonly until: number }
+  /** `origins`: where networks reach the server. */
+  | { readonly kind: "there"; readonly code: string; readonly origins: readonly string[]; readonly until: number }
   | { readonly kind: "over" }
   | { readonly kind: "failed"; readonly why: string };
 
@@ -31,7 +32,7 @@ export function useCode(api: Api, pairing: PairingCreate | undefined, attempt: n
       api.createPairing(JSON.parse(wanted) as PairingCreate).then(
         ({ code, expires_s, addresses }) => {
           if (isOver) return;
-          setState({ kind: "there", code, origin: addresses[0]?.url, until: Date.now() + expires_s * 1000 });
+          setState({ kind: "there", code, origins: addresses.map(({ url }) => url), until: Date.now() + expires_s * 1000 });
           end = setTimeout(() => setState({ kind: "over" }), expires_s * 1000);
         },
         (error: unknown) => isOver || setState({ kind: "failed", why: messageOf(error) }),

@@ -43,6 +43,9 @@ export const codeOf = (hash: string): string | undefined => kCode.exec(hash)?.[1
 export const displayAddress = (origin: string, { name, place, code }: PairedDisplay): string =>
   `${origin}/display/?name=${name}${place === undefined ? "" : `&place=${place}`}${code === undefined ? "" : `#code=${code}`}`;
 
+/** Of the addresses at which networks reach the server, those of which a person chooses one; none: there is no choice, or the phone takes the way of the page. */
+export const networkChoice = ({ hostname }: PageAddress, addresses: readonly string[]): readonly string[] => (kLoopback.has(hostname) && addresses.length > 1 ? addresses : []);
+
 /** `network`: where the network reaches the server, if the page came from this machine. Through a tunnel the phone has the server at its own `localhost`, at the same port: the server accepts no other. */
 export function pairing({ protocol, hostname, port }: PageAddress, shown: PairedDisplay, network?: string): Pairing {
   const isLocal = kLoopback.has(hostname);

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { codeOf, displayAddress, isDisplayName, pairing } from "../../shared/display/pairing";
+import { codeOf, displayAddress, isDisplayName, networkChoice, pairing } from "../../shared/display/pairing";
 
 describe("pairing a phone", () => {
   it("leads through a tunnel to a server that answers its own machine alone, at the same port", () => {
@@ -20,6 +20,13 @@ describe("pairing a phone", () => {
       address: "https://192.168.1.5:8443/display/?name=left",
       trust: "https://192.168.1.5:8443/trust/",
     });
+  });
+  it("leaves the choice of the network to the person at the server, where there are several", () => {
+    const networks = ["https://192.168.1.5:8443", "https://10.0.0.7:8443"];
+    const page = { protocol: "http:", hostname: "127.0.0.1", port: "8080" };
+    expect(networkChoice(page, networks)).toEqual(networks);
+    expect(networkChoice(page, networks.slice(1)), "one is no choice").toEqual([]);
+    expect(networkChoice({ ...page, hostname: "10.0.0.7" }, networks), "the page came that way").toEqual([]);
   });
   it("has the place of the display, and the code where no server is told of it", () => {
     const code = "abcdefghijkl-_01234567";

@@ -1,0 +1,23 @@
+// Which network of the server the phone is in, where it serves several.
+interface Props {
+  /** Addresses of the server. */
+  readonly networks: readonly string[];
+  readonly chosen: string | undefined;
+  readonly onChoose: (network: string) => void;
+}
+
+export function NetworkChoice({ networks, chosen, onChoose }: Props) {
+  if (networks.length === 0) return null;
+  return (
+    <label>
+      Network of the phone{" "}
+      <select value={chosen} onChange={(event) => onChoose(event.target.value)}>
+        {networks.map((each) => (
+          <option key={each} value={each}>
+            {new URL(each).hostname}
+          </option>
+        ))}
+      </select>
+    </label>
+  );
+}
