@@ -1,7 +1,7 @@
 // POST /api/v1/services/{service}/calls: one operation of a service, called by a person or their program.
 #include <memory>
 
-#include "core/value/json.h"
+#include "server/handlers/body.h"
 #include "server/handlers/handlers.h"
 #include "server/handlers/supervision.h"
 #include "server/http/refusal.h"
@@ -9,17 +9,6 @@
 
 namespace race::server {
 namespace {
-
-Checked<PersonCall> read_service_call(const Request& request) {
-  const auto body = parse_json(request.body);
-  if (!body) return failed(body.error());
-  std::vector<Error> errors;
-  Fields fields(*body, "", "the request", errors, Fields::Paths::field);
-  PersonCall call = read_call(request.parameters.at("service"), fields);
-  fields.close();
-  if (!errors.empty()) return tl::unexpected(std::move(errors));
-  return call;
-}
 
 // Of an account that has its share: later again.
 Handled call_refused(const Error& error) {
@@ -30,7 +19,8 @@ Handled call_refused(const Error& error) {
 }  // namespace
 
 void call_service(const Request& request, Respond respond, ManualControl& manual) {
-  const auto call = read_service_call(request);
+  const auto call =
+      read_body(request.body, [&](Fields& fields) { return read_call(request.parameters.at("service"), fields); });
   if (!call) return respond(tl::unexpected(call.error()));
   const auto number = control_of(request, manual);
   if (!number) return respond(failed(number.error()));

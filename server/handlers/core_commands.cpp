@@ -1,8 +1,8 @@
 // POST /api/v1/cores/{id}/pause, resume, stop, confirm_edit.
 #include <limits>
 
-#include "core/value/json.h"
 #include "server/execution/cores.h"
+#include "server/handlers/body.h"
 #include "server/handlers/handlers.h"
 #include "server/handlers/supervision.h"
 
@@ -18,14 +18,7 @@ void command(const Request& request, Respond respond, Cores& cores, void (Core::
 
 Checked<std::optional<bool>> read_supervised(const std::string& text) {
   if (text.empty()) return std::nullopt;
-  auto json = parse_json(text);
-  if (!json) return failed(std::move(json).error());
-  std::vector<Error> errors;
-  Fields fields(*json, "", "the request", errors, Fields::Paths::field);
-  const auto supervised = fields.boolean("supervised");
-  fields.close();
-  if (!errors.empty()) return tl::unexpected(std::move(errors));
-  return supervised;
+  return read_body(text, [](Fields& fields) { return fields.boolean("supervised"); });
 }
 
 }  // namespace
@@ -50,13 +43,10 @@ void stop_core(const Request& request, Respond respond, Cores& cores) {
 void confirm_core_edit(const Request& request, Respond respond, Cores& cores, ManualControl& manual) {
   const auto core = core_of(request, cores);
   if (!core) return respond(tl::unexpected(core.error()));
-  auto json = parse_json(request.body);
-  if (!json) return respond(failed(std::move(json).error()));
-  std::vector<Error> errors;
-  Fields fields(*json, "", "the request", errors, Fields::Paths::field);
-  const auto revision = fields.integer("revision", 1, std::numeric_limits<std::int64_t>::max(), kRequired);
-  fields.close();
-  if (!errors.empty()) return respond(tl::unexpected(std::move(errors)));
+  const auto revision = read_body(request.body, [](Fields& fields) {
+    return fields.integer("revision", 1, std::numeric_limits<std::int64_t>::max(), kRequired).value_or(0);
+  });
+  if (!revision) return respond(tl::unexpected(revision.error()));
   const auto control = control_of(request, manual);
   if (!control) return respond(failed(control.error()));
   if (*control == 0) return respond(failed({ErrorCode::leased, "take the controls of the cell first", {}}));

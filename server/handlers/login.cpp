@@ -1,11 +1,11 @@
 // POST /api/v1/login: a password for a token. POST /api/v1/logout: the token of the request ends.
 #include <chrono>
 
-#include "core/value/json.h"
 #include "server/accounts/accounts.h"
 #include "server/accounts/attempts.h"
 #include "server/accounts/passwords.h"
 #include "server/handlers/account_json.h"
+#include "server/handlers/body.h"
 #include "server/handlers/handlers.h"
 #include "server/http/refusal.h"
 #include "server/wire/calendar.h"
@@ -17,17 +17,10 @@ struct Login {
   std::string name, password;
 };
 
-Checked<Login> read_login(const std::string& text) {
-  const auto body = parse_json(text);
-  if (!body) return failed(body.error());
-  std::vector<Error> errors;
-  Fields fields(*body, "", "the request", errors, Fields::Paths::field);
-  Login login{fields.text("name", Fields::Need::required).value_or(""),
-              fields.text("password", Fields::Need::required).value_or("")};
-  fields.close();
+Login read_login(Fields& fields) {
+  Login login{fields.text("name", kRequired).value_or(""), fields.text("password", kRequired).value_or("")};
   if (login.password.size() > Passwords::kLongest) login.password.clear();  // nobody's
   if (login.name.size() > Account::kLongestName) login.name.clear();
-  if (!errors.empty()) return tl::unexpected(std::move(errors));
   return login;
 }
 
@@ -58,7 +51,7 @@ Handled of(const std::string& name, Handled handled) {
 }  // namespace
 
 void log_in(const Request& request, Respond respond, Accounts& accounts, Passwords& passwords, Attempts& attempts) {
-  auto login = read_login(request.body);
+  auto login = read_body(request.body, read_login);
   if (!login) return respond(tl::unexpected(std::move(login).error()));
   const std::string name = login->name, address = request.identity.address;
   const auto now = std::chrono::steady_clock::now();

@@ -2,12 +2,12 @@
 // /api/v1/tickets: what opens a WebSocket.
 #include <chrono>
 
-#include "core/value/json.h"
 #include "server/accounts/accounts.h"
 #include "server/accounts/attempts.h"
 #include "server/accounts/passwords.h"
 #include "server/accounts/tickets.h"
 #include "server/handlers/account_json.h"
+#include "server/handlers/body.h"
 #include "server/handlers/handlers.h"
 #include "server/http/refusal.h"
 
@@ -19,15 +19,11 @@ struct NewPassword {
 };
 
 Checked<NewPassword> read_passwords(const Request& request) {
-  const auto body = parse_json(request.body);
-  if (!body) return failed(body.error());
-  std::vector<Error> errors;
-  Fields fields(*body, "", "the request", errors, Fields::Paths::field);
-  NewPassword passwords{fields.text("old", Fields::Need::required).value_or(""),
-                        fields.text("password", Fields::Need::required).value_or("")};
-  fields.close();
-  if (!errors.empty()) return tl::unexpected(std::move(errors));
-  if (auto fine = Passwords::check(passwords.password, request.identity.account); !fine)
+  auto passwords = read_body(request.body, [](Fields& fields) {
+    return NewPassword{fields.text("old", kRequired).value_or(""), fields.text("password", kRequired).value_or("")};
+  });
+  if (!passwords) return passwords;
+  if (auto fine = Passwords::check(passwords->password, request.identity.account); !fine)
     return failed(std::move(fine).error());
   return passwords;
 }

@@ -3,10 +3,10 @@
 
 #include <chrono>
 
-#include "core/value/json.h"
 #include "server/accounts/accounts.h"
 #include "server/accounts/attempts.h"
 #include "server/handlers/account_json.h"
+#include "server/handlers/body.h"
 #include "server/handlers/handlers.h"
 #include "server/handlers/network_addresses.h"
 #include "server/http/refusal.h"
@@ -35,12 +35,8 @@ std::string read_display_name(Fields& fields, std::string_view key, Fields::Need
 bool may_make_local(const Identity& identity) { return is_local(identity) || identity.role == Role::admin; }
 
 // Who asks is an operator at least, so nobody hands on more than they have.
-Checked<Pairing> read_pairing(const Request& request) {
-  const auto body = parse_json(request.body);
-  if (!body) return failed(body.error());
-  std::vector<Error> errors;
-  Fields fields(*body, "", "the request", errors, Fields::Paths::field);
-  Pairing pairing{request.identity, {std::nullopt, may_make_local(request.identity)}};
+Pairing read_pairing(Fields& fields, const Identity& by) {
+  Pairing pairing{by, {std::nullopt, may_make_local(by)}};
   const auto role = fields.text("role", kRequired);
   if (role) pairing.scope.role = role_of(*role);
   if (role && pairing.scope.role != Role::observer && pairing.scope.role != Role::cell_operator)
@@ -48,8 +44,6 @@ Checked<Pairing> read_pairing(const Request& request) {
   pairing.scope.display = read_display_name(fields, "name", kRequired);
   pairing.place = read_display_name(fields, "place", Fields::Need::optional);
   pairing.days = fields.integer("days", 1, kMostDays).value_or(kUsualDays);
-  fields.close();
-  if (!errors.empty()) return tl::unexpected(std::move(errors));
   return pairing;
 }
 
@@ -59,17 +53,6 @@ Reply too_many_codes(const Pairings::Full& full) {
   Reply reply = refusal(429, "too_many", codes + " wait to be used already");
   reply.headers.emplace_back("Retry-After", seconds);
   return reply;
-}
-
-Checked<std::string> read_code(const std::string& text) {
-  const auto body = parse_json(text);
-  if (!body) return failed(body.error());
-  std::vector<Error> errors;
-  Fields fields(*body, "", "the request", errors, Fields::Paths::field);
-  std::string code = fields.text("code", kRequired).value_or("");
-  fields.close();
-  if (!errors.empty()) return tl::unexpected(std::move(errors));
-  return code;
 }
 
 // The same for a code that is none, was used, is too old, or of somebody who may no more.
@@ -99,7 +82,7 @@ Handled create_pairing(const Request& request, Accounts& accounts, Pairings& pai
   // Otherwise a phone that is lost would let others in, and itself beyond its time.
   if (!request.identity.display.empty())
     return refusal(403, "rights", "a display that was let in with a code lets nobody in");
-  auto pairing = read_pairing(request);
+  auto pairing = read_body(request.body, [&](Fields& fields) { return read_pairing(fields, request.identity); });
   if (!pairing) return tl::unexpected(std::move(pairing).error());
   const auto code = pairings.issue(std::move(*pairing), std::chrono::steady_clock::now());
   if (!code) return too_many_codes(code.error());
@@ -111,7 +94,7 @@ Handled create_pairing(const Request& request, Accounts& accounts, Pairings& pai
 
 Handled pair_display(const Request& request, Accounts& accounts, Pairings& pairings, Attempts& attempts) {
   if (accounts.empty()) return no_accounts();
-  const auto code = read_code(request.body);
+  const auto code = read_body(request.body, [](Fields& fields) { return fields.text("code", kRequired).value_or(""); });
   if (!code) return tl::unexpected(code.error());
   const auto time = std::chrono::steady_clock::now();
   const auto attempt = attempts.begin(request.identity.address, "", time);

@@ -1,6 +1,6 @@
 // PUT /api/v1/cores/{id}/live: whether the core follows the edits of its document.
-#include "core/value/json.h"
 #include "server/execution/live_edits.h"
+#include "server/handlers/body.h"
 #include "server/handlers/handlers.h"
 
 namespace race::server {
@@ -8,14 +8,10 @@ namespace race::server {
 namespace {
 
 Checked<bool> read_live(const std::string& text) {
-  auto body = parse_json(text);
-  if (!body) return failed(std::move(body).error());
-  std::vector<Error> errors;
-  Fields fields(*body, "", "the request", errors, Fields::Paths::field);
-  const auto live = fields.find("live", Fields::Need::required) ? fields.boolean("live") : std::nullopt;
-  fields.close();
-  if (!errors.empty()) return tl::unexpected(std::move(errors));
-  return live.value_or(false);
+  return read_body(text, [](Fields& fields) {
+    const auto live = fields.find("live", kRequired) ? fields.boolean("live") : std::nullopt;
+    return live.value_or(false);
+  });
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // POST /api/v1/cores/{id}/start: a core begins, with other arguments than those of its creation if the body has some.
 #include "core/rcm/document.h"
-#include "core/value/json.h"
 #include "server/execution/cores.h"
+#include "server/handlers/body.h"
 #include "server/handlers/handlers.h"
 #include "server/handlers/supervision.h"
 #include "server/store/documents.h"
@@ -15,16 +15,9 @@ struct Body {
   std::optional<bool> supervised = {};
 };
 
-Checked<Body> read_body(const std::string& text) {
+Checked<Body> read_start(const std::string& text) {
   if (text.empty()) return Body();
-  auto json = parse_json(text);
-  if (!json) return failed(std::move(json).error());
-  std::vector<Error> errors;
-  Fields fields(*json, "", "the request", errors, Fields::Paths::field);
-  Body body{read_arguments(fields), fields.boolean("supervised")};
-  fields.close();
-  if (!errors.empty()) return tl::unexpected(std::move(errors));
-  return body;
+  return read_body(text, [](Fields& fields) { return Body{read_arguments(fields), fields.boolean("supervised")}; });
 }
 
 // The document that the core executes, in the revision that it was created of.
@@ -44,7 +37,7 @@ Checked<StoredDocument> document_of(const Core& core, Documents& documents) {
 void start_core(const Request& request, Respond respond, Documents& documents, Cores& cores, ManualControl& manual) {
   const auto core = core_of(request, cores);
   if (!core) return respond(tl::unexpected(core.error()));
-  auto body = read_body(request.body);
+  auto body = read_start(request.body);
   if (!body) return respond(tl::unexpected(std::move(body).error()));
   const auto control = control_of(request, manual);
   if (!control) return respond(failed(control.error()));
