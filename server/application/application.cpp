@@ -112,7 +112,8 @@ void Application::create_stream(const Setup& setup) {
   log_ = std::make_unique<EventLog>(*hub_, setup.lines);
   displays_ = std::make_unique<Displays>(screens_, *hub_);
   control_ = std::make_unique<Control>(
-      [this](const Value& control) { hub_->publish_delta(std::string(kControlChannel), control); });
+      [this](const Value& control) { hub_->publish_delta(std::string(kControlChannel), control); },
+      [this] { return has_accounts(); });
   motion_end_ = std::make_unique<MotionEnd>(*control_);
   core_publisher_ = std::make_unique<CorePublisher>(*hub_, *log_);
   service_publisher_ = std::make_unique<ServicePublisher>(*hub_, *log_);
@@ -200,7 +201,6 @@ Checked<void> Application::add_operator(const OperatorScript& script) {
 
 // Of the cell, on its thread.
 void Application::before_step() {
-  control_->confirm_all_edits(has_accounts());  // the first may be added at any time
   manual_->check(std::chrono::steady_clock::now());
   if (operator_) operator_->step(cell_->clock().now(), *cell_->world());
 }

@@ -70,7 +70,7 @@ Expected<std::uint64_t> MotionEnd::begin(const services::Beginning& run) {
 }
 
 std::optional<Value> MotionEnd::refuse(const services::Caller& caller, const std::string& service,
-                                       services::MotionEffect effect) {
+                                       rsm::CallEffect effect) {
   if (ended_) return Value(Dict{{"code", name(ErrorCode::stopped)}, {"message", kEnds}});
   return gate_.refuse(caller, service, effect);
 }

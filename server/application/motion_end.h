@@ -42,7 +42,7 @@ class MotionEnd final : public services::MotionGate {
   Expected<void> may_force(const services::Beginning& run) override { return gate_.may_force(run); }
   bool confirms_edits(const std::string& core) override { return gate_.confirms_edits(core); }
   std::optional<Value> refuse(const services::Caller& caller, const std::string& service,
-                              services::MotionEffect effect) override;
+                              rsm::CallEffect effect) override;
   void release(const std::string& core, const std::string& service) override { gate_.release(core, service); }
 
  private:

@@ -55,22 +55,21 @@ void ManualControl::call(Fields& fields, const Message& message) {
   host_.call(begun->caller, call.service, call.operation, call.args, call.kwargs);
 }
 
-Expected<ManualControl::Effect> ManualControl::effect_of(const PersonCall& call) const {
+Expected<rsm::CallEffect> ManualControl::effect_of(const PersonCall& call) const {
   const auto service = host_.service(call.service);
   if (!service || !service->model)
     return unexpected(ErrorCode::not_found, "there is no service of this key", call.service);
   const auto& operations = service->model->operations;
   const auto operation = std::ranges::find(operations, call.operation, &rsm::Operation::name);
-  if (operation == operations.end()) return Effect{};
-  return Effect{operation->moves, !operation->reads && !operation->safe};
+  return operation == operations.end() ? rsm::CallEffect::none : rsm::effect_of(*operation);
 }
 
 // What a run reads or asks next may be changed by that, and so what it moves.
-Expected<void> ManualControl::may_call(const Sender& sender, const PersonCall& call, const Effect& effect) const {
+Expected<void> ManualControl::may_call(const Sender& sender, const PersonCall& call, rsm::CallEffect effect) const {
   if (sender.control != 0) return {};
-  if (effect.moves)
+  if (rsm::moves(effect))
     return unexpected(ErrorCode::leased, "take the controls of the cell first: " + quote(call.operation) + " moves");
-  if (effect.changes && control_.holder() != 0)
+  if (effect == rsm::CallEffect::change && control_.holder() != 0)
     return unexpected(ErrorCode::leased, "somebody has the controls of the cell, and alone changes something in it");
   return {};
 }
@@ -82,16 +81,17 @@ Expected<services::Caller> ManualControl::begin_free(Wanted wanted) {
 
 Expected<void> ManualControl::call_by_request(const Sender& sender, const PersonCall& call,
                                               PersonCalls::Respond respond) {
-  ASSIGN_OR_RETURN(const Effect effect, effect_of(call));
+  ASSIGN_OR_RETURN(const rsm::CallEffect effect, effect_of(call));
   if (auto may = may_call(sender, call, effect); !may) return tl::unexpected(std::move(may).error());
-  ByHand begun{{}, effect.changes};
+  const bool changes = effect != rsm::CallEffect::none;
+  ByHand begun{{}, changes};
   Wanted wanted{std::move(respond), sender.identity.account};
   if (sender.control == 0) {
     ASSIGN_OR_RETURN(begun.caller, begin_free(std::move(wanted)));
   } else {
     ASSIGN_OR_RETURN(begun, begin_by_hand(sender.control, call, std::chrono::steady_clock::now(), std::move(wanted)));
   }
-  if (begun.is_new && effect.changes)
+  if (begun.is_new && changes)
     record_(sender.identity, "service call " + call.service + '.' + call.operation, "accepted");
   host_.call(begun.caller, call.service, call.operation, call.args, call.kwargs);
   return {};

@@ -47,9 +47,10 @@ Value Control::state() const {
   if (stopped_) json.set("stopped", Dict{{"by", stopped_->by}, {"time", stopped_->time}});
   if (holder_) json.set("holder", Dict{{"number", static_cast<std::int64_t>(holder_->number)}, {"by", holder_->by}});
   if (request_) json.set("request", Dict{{"id", request_->id}, {"by", request_->by}});
-  List leases;
-  for (const auto& [service, lease] : leases_) leases.push_back(Dict{{"service", service}, {"core", lease.core}});
-  json.set("leases", std::move(leases));
+  List reservations;
+  for (const auto& [service, reservation] : reservations_)
+    reservations.push_back(Dict{{"service", service}, {"core", reservation.core}});
+  json.set("leases", std::move(reservations));
   List ports;
   for (const auto& [place, port] : stop_ports_)
     ports.push_back(Dict{{"port", std::int64_t{place}}, {"stop_port", std::int64_t{port}}});
@@ -63,9 +64,25 @@ bool Control::is_good(std::uint64_t fence) const {
   return !stopped_ && (fence == free_fence_ || (holder_ && fence == holder_->fence));
 }
 
+std::optional<Error> Control::refuse_stopped() const {
+  if (!stopped_) return std::nullopt;
+  return Error{ErrorCode::stopped, "the cell was stopped by " + stopped_->by + "; reset the stop first", {}};
+}
+
+std::optional<Error> Control::refuse_other(std::uint64_t control) const {
+  if (!holder_ || is_holder(control)) return std::nullopt;
+  return Error{ErrorCode::leased, holder_->by + " has the controls of the cell", {}};
+}
+
+Expected<void> Control::may_reset_cell(std::uint64_t control) const {
+  const MutexLock lock(mutex_);
+  if (auto refused = refuse_stopped()) return tl::unexpected(std::move(*refused));
+  if (auto refused = refuse_other(control)) return tl::unexpected(std::move(*refused));
+  return {};
+}
+
 std::optional<Error> Control::refuse_person(const services::Beginning& run) const {
-  if (holder_ && !is_holder(run.control))
-    return Error{ErrorCode::leased, holder_->by + " has the controls of the cell", {}};
+  if (auto refused = refuse_other(run.control)) return refused;
   if (is_holder(run.control) || !needs_person(run)) return std::nullopt;
   return Error{ErrorCode::conflict,
                run.supervised ? "take the controls of the cell first: the run is supervised"
@@ -75,7 +92,7 @@ std::optional<Error> Control::refuse_person(const services::Beginning& run) cons
 
 Expected<std::uint64_t> Control::begin(const services::Beginning& run) {
   const MutexLock lock(mutex_);
-  if (stopped_) return unexpected(ErrorCode::stopped, "the cell was stopped by " + stopped_->by + "; reset it first");
+  if (auto refused = refuse_stopped()) return tl::unexpected(std::move(*refused));
   if (auto refused = refuse_person(run)) return tl::unexpected(std::move(*refused));
   if (holder_) holder_->runs.erase(run.core);
   if (!needs_person(run)) return free_fence_;
@@ -86,44 +103,45 @@ Expected<std::uint64_t> Control::begin(const services::Beginning& run) {
 Expected<void> Control::may_force(const services::Beginning& run) {
   const MutexLock lock(mutex_);
   if (auto refused = refuse_person(run)) return tl::unexpected(std::move(*refused));
-  if (!holder_ && confirms_all_edits_ && has_reserved(run.core))
+  if (!holder_ && has_accounts_() && has_reserved(run.core))
     return unexpected(ErrorCode::conflict, "take the controls of the cell first: the run moves something");
   return {};
 }
 
 std::optional<Value> Control::refuse(const services::Caller& caller, const std::string& service,
-                                     services::MotionEffect effect) {
+                                     rsm::CallEffect effect) {
   const MutexLock lock(mutex_);
   if (!is_good(caller.fence))
     return error_value(name(ErrorCode::stopped),
                        "the cell was stopped, or has nobody at the controls; nothing moves until a run begins");
   // A person slows down, and lets go on, what others have set in motion; it stays theirs.
-  if (is_person(caller.core) && effect == services::MotionEffect::pace) return std::nullopt;
+  if (is_person(caller.core) && effect == rsm::CallEffect::pace) return std::nullopt;
   if (is_person(caller.core) && mode_ != Mode::programming)
     return error_value(name(ErrorCode::not_accepted), "nothing is moved by hand in execution mode");
-  const auto [lease, is_new] = leases_.try_emplace(service, Lease{caller.core, caller.fence});
-  const bool is_own = lease->second.core == caller.core;
+  const auto [found, is_new] = reservations_.try_emplace(service, Reservation{caller.core, caller.fence});
+  Reservation& reservation = found->second;
+  const bool is_own = reservation.core == caller.core;
   // What a person has moved by hand is that of their runs, too, but not the other way round.
-  const bool is_theirs = is_person(lease->second.core) && lease->second.fence == caller.fence;
-  if (!is_own && !is_theirs && is_good(lease->second.fence))
-    return error_value(name(ErrorCode::leased), whose(service, lease->second));
+  const bool is_theirs = is_person(reservation.core) && reservation.fence == caller.fence;
+  if (!is_own && !is_theirs && is_good(reservation.fence))
+    return error_value(name(ErrorCode::leased), whose(service, reservation));
   moved_[service] = caller.fence;
-  lease->second = {caller.core, caller.fence};  // of a run that moves no more until it is resumed, it is taken over
+  reservation = {caller.core, caller.fence};  // of a run that moves no more until it is resumed, it is taken over
   if (is_new || !is_own) tell();
   return std::nullopt;
 }
 
-std::string Control::whose(const std::string& service, const Lease& lease) const {
-  if (!is_person(lease.core)) return "run " + lease.core + " has `" + service + "` until it is over";
+std::string Control::whose(const std::string& service, const Reservation& reservation) const {
+  if (!is_person(reservation.core)) return "run " + reservation.core + " has `" + service + "` until it is over";
   return (holder_ ? holder_->by : "somebody") + " has `" + service + "` until they give the controls back";
 }
 
 void Control::release(const std::string& core, const std::string& service) {
   const MutexLock lock(mutex_);
   if (holder_) holder_->runs.erase(core);
-  const auto lease = leases_.find(service);
-  if (lease == leases_.end() || lease->second.core != core) return;
-  leases_.erase(lease);
+  const auto reservation = reservations_.find(service);
+  if (reservation == reservations_.end() || reservation->second.core != core) return;
+  reservations_.erase(reservation);
   tell();
 }
 

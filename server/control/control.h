@@ -59,8 +59,12 @@ class Control final : public services::MotionGate {
     std::set<std::string> services;  // what they, or runs that needed them, have set in motion last
     std::set<std::string> cores;     // of these runs
   };
-  /// `changed` gets schemas/control.json, frozen, in order of the changes; under the lock: must be quick.
-  explicit Control(std::function<void(const Value&)> changed) : changed_(std::move(changed)) {}
+  /// `changed` gets schemas/control.json, frozen, in order of the changes. `has_accounts`: edits of runs that move
+  /// something are confirmed also when nobody has the controls, and so are forced values. Both under the lock: must be
+  /// quick.
+  explicit Control(
+      std::function<void(const Value&)> changed, std::function<bool()> has_accounts = [] { return false; })
+      : changed_(std::move(changed)), has_accounts_(std::move(has_accounts)) {}
 
   /// From now on nothing may set the cell in motion. Of several stops the first is told. The fencing numbers of before
   /// are good no longer, also after the reset. Whether it was not stopped before.
@@ -103,9 +107,10 @@ class Control final : public services::MotionGate {
   /// Of the start.
   void set_mode(Mode mode) EXCLUDES(mutex_);
   Mode mode() const EXCLUDES(mutex_);
-  /// Edits of runs that move something are confirmed also when nobody has the controls: the server has accounts.
-  void confirm_all_edits(bool on) EXCLUDES(mutex_);
 
+  /// Whether the sender of a request may put the cell back to its start, and the arm with it: `control` is their
+  /// number, or 0. Errors `stopped`; `leased`: somebody else has the controls.
+  Expected<void> may_reset_cell(std::uint64_t control) const EXCLUDES(mutex_);
   Expected<std::uint64_t> begin(const services::Beginning& run) override EXCLUDES(mutex_);
   Expected<void> may_force(const services::Beginning& run) override EXCLUDES(mutex_);
   bool confirms_edits(const std::string& core) override EXCLUDES(mutex_);
@@ -113,7 +118,7 @@ class Control final : public services::MotionGate {
   /// who watched it has the controls no more; `leased`: another run has the service. The first call that may is what
   /// reserves the service. Of calls by hand also `not_accepted`: in this mode nothing is moved by hand.
   std::optional<Value> refuse(const services::Caller& caller, const std::string& service,
-                              services::MotionEffect effect) override EXCLUDES(mutex_);
+                              rsm::CallEffect effect) override EXCLUDES(mutex_);
   void release(const std::string& core, const std::string& service) override EXCLUDES(mutex_);
 
  private:
@@ -126,12 +131,17 @@ class Control final : public services::MotionGate {
     Steady heard;
     std::set<std::string> runs;  // that need them
   };
-  struct Lease {
+  /// Of a service: whose it is.
+  struct Reservation {
     std::string core;
     std::uint64_t fence = 0;  // of its last call
   };
   Value state() const REQUIRES(mutex_);
   void tell() REQUIRES(mutex_) { changed_(state()); }
+  std::optional<Error> refuse_stopped() const REQUIRES(mutex_);
+  /// Why who has this number, or 0, does not act beside the person at the controls; nothing: they are that, or nobody
+  /// is.
+  std::optional<Error> refuse_other(std::uint64_t control) const REQUIRES(mutex_);
   /// Why the sender of `run` may not act on runs now; nothing: they may.
   std::optional<Error> refuse_person(const services::Beginning& run) const REQUIRES(mutex_);
   /// Whether a run needs a person at the controls.
@@ -140,11 +150,13 @@ class Control final : public services::MotionGate {
   }
   bool is_holder(std::uint64_t number) const REQUIRES(mutex_) { return holder_ && holder_->number == number; }
   bool has_reserved(const std::string& core) const REQUIRES(mutex_);
+  Expected<void> check_holder(std::uint64_t number) const REQUIRES(mutex_);
   bool is_good(std::uint64_t fence) const REQUIRES(mutex_);
-  std::string whose(const std::string& service, const Lease& lease) const REQUIRES(mutex_);
+  std::string whose(const std::string& service, const Reservation& reservation) const REQUIRES(mutex_);
   Ended end_holder() REQUIRES(mutex_);
 
   const std::function<void(const Value&)> changed_;
+  const std::function<bool()> has_accounts_;
   mutable services::Mutex mutex_;
   std::optional<Stop> stopped_ GUARDED_BY(mutex_);
   Mode mode_ GUARDED_BY(mutex_) = Mode::execution;
@@ -153,10 +165,9 @@ class Control final : public services::MotionGate {
   std::uint64_t takings_ GUARDED_BY(mutex_) = 0;
   std::optional<Holder> holder_ GUARDED_BY(mutex_);
   std::optional<Request> request_ GUARDED_BY(mutex_);
-  bool confirms_all_edits_ GUARDED_BY(mutex_) = false;
-  std::map<std::string, Lease> leases_ GUARDED_BY(mutex_);         // by service
-  std::map<std::string, std::uint64_t> moved_ GUARDED_BY(mutex_);  // by service: the fence of its last motion, which
-                                                                   // may go on when its reservation has ended
+  std::map<std::string, Reservation> reservations_ GUARDED_BY(mutex_);  // by service
+  std::map<std::string, std::uint64_t> moved_ GUARDED_BY(mutex_);       // by service: the fence of its last motion,
+                                                                        // which may go on without its reservation
   std::map<std::uint16_t, std::uint16_t> stop_ports_ GUARDED_BY(mutex_);
 };
 

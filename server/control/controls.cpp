@@ -18,7 +18,7 @@ std::optional<Mode> mode_of(std::string_view name) {
 
 Expected<std::uint64_t> Control::take(std::string by, Steady now) {
   const MutexLock lock(mutex_);
-  if (holder_) return unexpected(ErrorCode::leased, holder_->by + " has the controls of the cell");
+  if (auto refused = refuse_other(0)) return tl::unexpected(std::move(*refused));
   holder_ = Holder{++takings_, ++last_fence_, std::move(by), now, {}};
   tell();
   return holder_->number;
@@ -26,14 +26,14 @@ Expected<std::uint64_t> Control::take(std::string by, Steady now) {
 
 bool Control::hear(std::uint64_t number, Steady now) {
   const MutexLock lock(mutex_);
-  if (!holder_ || holder_->number != number) return false;
+  if (!is_holder(number)) return false;
   holder_->heard = now;
   return true;
 }
 
 std::optional<Control::Ended> Control::release(std::uint64_t number) {
   const MutexLock lock(mutex_);
-  if (!holder_ || holder_->number != number) return std::nullopt;
+  if (!is_holder(number)) return std::nullopt;
   return end_holder();
 }
 
@@ -50,7 +50,7 @@ Control::Ended Control::end_holder() {
   const std::string by_hand = caller(holder_->number);
   for (const auto& [service, fence] : moved_)
     if (fence == holder_->fence) ended.services.insert(service);
-  std::erase_if(leases_, [&](const auto& lease) { return lease.second.core == by_hand; });
+  std::erase_if(reservations_, [&](const auto& each) { return each.second.core == by_hand; });
   holder_.reset();
   tell();
   return ended;
@@ -61,10 +61,14 @@ std::uint64_t Control::holder() const {
   return holder_ ? holder_->number : 0;
 }
 
+Expected<void> Control::check_holder(std::uint64_t number) const {
+  if (is_holder(number)) return {};
+  return unexpected(ErrorCode::leased, "take the controls of the cell first");
+}
+
 Expected<std::uint64_t> Control::fence_of(std::uint64_t number) const {
   const MutexLock lock(mutex_);
-  if (!holder_ || holder_->number != number)
-    return unexpected(ErrorCode::leased, "take the controls of the cell first");
+  if (auto holds = check_holder(number); !holds) return tl::unexpected(std::move(holds).error());
   return holder_->fence;
 }
 
@@ -77,15 +81,14 @@ void Control::show_request(std::optional<Request> request) {
 
 Expected<Control::Ended> Control::set_mode(std::uint64_t number, Mode mode) {
   const MutexLock lock(mutex_);
-  if (!holder_ || holder_->number != number)
-    return unexpected(ErrorCode::leased, "take the controls of the cell first");
+  if (auto holds = check_holder(number); !holds) return tl::unexpected(std::move(holds).error());
   Ended ended{number, holder_->by, {}, {}};
   if (mode == mode_) return ended;
   for (const auto& [service, fence] : std::exchange(moved_, {})) ended.services.insert(service);
-  for (const auto& [service, lease] : leases_)
-    if (!is_person(lease.core)) ended.cores.insert(lease.core);
+  for (const auto& [service, reservation] : reservations_)
+    if (!is_person(reservation.core)) ended.cores.insert(reservation.core);
   ended.cores.merge(std::exchange(holder_->runs, {}));
-  std::erase_if(leases_, [](const auto& lease) { return is_person(lease.second.core); });
+  std::erase_if(reservations_, [](const auto& each) { return is_person(each.second.core); });
   free_fence_ = ++last_fence_;
   holder_->fence = ++last_fence_;
   mode_ = mode;
@@ -103,18 +106,13 @@ Mode Control::mode() const {
   return mode_;
 }
 
-void Control::confirm_all_edits(bool on) {
-  const MutexLock lock(mutex_);
-  confirms_all_edits_ = on;
-}
-
 bool Control::confirms_edits(const std::string& core) {
   const MutexLock lock(mutex_);
-  return mode_ == Mode::execution && (holder_ || confirms_all_edits_) && has_reserved(core);
+  return mode_ == Mode::execution && (holder_ || has_accounts_()) && has_reserved(core);
 }
 
 bool Control::has_reserved(const std::string& core) const {
-  return std::ranges::any_of(leases_, [&](const auto& lease) { return lease.second.core == core; });
+  return std::ranges::any_of(reservations_, [&](const auto& each) { return each.second.core == core; });
 }
 
 }  // namespace race::server

@@ -124,7 +124,7 @@ void ManualControl::give_back(Fields& fields, const Message& message) {
   fields.close();
   if (!message.errors.empty()) return;
   if (const std::uint64_t number = number_of(*message.client))
-    end(control_.release(number), {"gave the controls back", "given_back"});
+    end(control_.release(number), {"gave the controls back", "given_back", false});
   tell(*message.client, of_kind("released"));
 }
 
@@ -165,7 +165,7 @@ void ManualControl::end(const std::optional<Control::Ended>& ended, const End& h
     }
   }
   record_(identity, "control end", how.outcome);
-  tell_lost(client);
+  if (how.is_told) tell_lost(client);
   drop_request("the controls are free: take them");
 }
 

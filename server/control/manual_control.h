@@ -14,6 +14,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/rsm/call_effect.h"
 #include "core/value/expected.h"
 #include "core/value/fields.h"
 #include "server/control/cell_stop.h"
@@ -118,18 +119,16 @@ class ManualControl final : public ControlRequests {
   Expected<services::Caller> begin_free(Wanted wanted) EXCLUDES(mutex_);
   /// The response to this call of a request is late.
   void give_up(const services::Caller& caller) EXCLUDES(mutex_);
-  /// What the operation that is called may do, as its declaration says.
-  struct Effect {
-    bool moves = false, changes = false;
-  };
-  Expected<Effect> effect_of(const PersonCall& call) const;
-  Expected<void> may_call(const Sender& sender, const PersonCall& call, const Effect& effect) const;
+  /// Of the operation that is called. Error `not_found`: the service.
+  Expected<rsm::CallEffect> effect_of(const PersonCall& call) const;
+  Expected<void> may_call(const Sender& sender, const PersonCall& call, rsm::CallEffect effect) const;
   void ask(const std::shared_ptr<ControlClient>& client, const std::string& by, Steady now) EXCLUDES(mutex_);
   void give(const std::shared_ptr<ControlClient>& client, const std::string& by, Steady now) EXCLUDES(mutex_);
   std::uint64_t number_of(const ControlClient& client) const EXCLUDES(mutex_);
   /// How the controls end, for the log and for the audit log.
   struct End {
     const char *why, *outcome;
+    bool is_told = true;  // to who had them: not if they have wanted it, which is answered by itself
   };
   void end(const std::optional<Control::Ended>& ended, const End& how) EXCLUDES(mutex_);
   void drop_request(const std::string& why) EXCLUDES(mutex_);

@@ -192,9 +192,9 @@ bool Host::can_be_called(const PendingCall& call, ServiceEntry& entry) {
 
 // core/SEMANTICS.md, R7. Asked with each call: what is let through has arrived, and what comes later is refused.
 std::optional<Value> Host::refuse_motion(const PendingCall& call, const ServiceEntry& entry) {
-  const rsm::Operation& operation = *find_operation(entry.model, call.operation);
-  if (!operation.moves) return std::nullopt;
-  return gate_.refuse(call.caller, entry.status.key, operation.paces ? MotionEffect::pace : MotionEffect::motion);
+  const rsm::CallEffect effect = rsm::effect_of(*find_operation(entry.model, call.operation));
+  if (!rsm::moves(effect)) return std::nullopt;
+  return gate_.refuse(call.caller, entry.status.key, effect);
 }
 
 // Said once, until half of those that wait have gone.

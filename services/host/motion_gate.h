@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "core/rsm/call_effect.h"
 #include "core/value/expected.h"
 #include "core/value/value.h"
 #include "services/host/call_ledger.h"
@@ -21,9 +22,6 @@ struct Beginning {
   bool supervised = false;    // it moves only while that person has them
 };
 
-/// What a call would do: set something in motion, or change how fast what is in motion already goes on.
-enum class MotionEffect : std::uint8_t { motion, pace };
-
 class MotionGate {
  public:
   virtual ~MotionGate() = default;
@@ -35,8 +33,9 @@ class MotionGate {
   virtual Expected<void> may_force(const Beginning& run) = 0;
   /// Whether an edit reaches this run only when the person at the controls has confirmed it.
   virtual bool confirms_edits(const std::string& core) = 0;
-  /// Why the call may not set `service` in motion, as the error that answers it; nothing: it may.
-  virtual std::optional<Value> refuse(const Caller& caller, const std::string& service, MotionEffect effect) = 0;
+  /// Why the call may not do that with `service`, as the error that answers it; nothing: it may. Requires an effect
+  /// that moves().
+  virtual std::optional<Value> refuse(const Caller& caller, const std::string& service, rsm::CallEffect effect) = 0;
   /// `core` is over, and makes no call of `service` any more.
   virtual void release(const std::string& core, const std::string& service) = 0;
 };
@@ -47,7 +46,7 @@ class OpenGate final : public MotionGate {
   Expected<std::uint64_t> begin(const Beginning&) override { return 0; }
   Expected<void> may_force(const Beginning&) override { return {}; }
   bool confirms_edits(const std::string&) override { return false; }
-  std::optional<Value> refuse(const Caller&, const std::string&, MotionEffect) override { return std::nullopt; }
+  std::optional<Value> refuse(const Caller&, const std::string&, rsm::CallEffect) override { return std::nullopt; }
   void release(const std::string&, const std::string&) override {}
 };
 

@@ -16,10 +16,11 @@ namespace {
 
 struct ControlTest : testing::Test {
   std::vector<std::string> told;
-  Control control{[this](const Value& json) { told.push_back(to_json(json)); }};
+  bool has_accounts = false;
+  Control control{[this](const Value& json) { told.push_back(to_json(json)); }, [this] { return has_accounts; }};
   // The code that answers a motion of a run; empty: it moves.
   std::string refusal(const std::string& core, std::uint64_t fence, const std::string& service = "robot",
-                      services::MotionEffect effect = services::MotionEffect::motion) {
+                      rsm::CallEffect effect = rsm::CallEffect::motion) {
     const auto refused = control.refuse({core, 1, fence}, service, effect);
     return refused ? refused->find("code")->as_string() : "";
   }
@@ -113,7 +114,7 @@ TEST_F(ControlsTest, OnlyWhoHasThemMovesByHandAndOnlyInProgrammingMode) {
 }
 
 TEST_F(ControlsTest, HowFastARunMovesIsSetInEitherModeAndTheMotionStaysThatOfTheRun) {
-  using enum services::MotionEffect;
+  using enum rsm::CallEffect;
   const std::uint64_t run = control.begin({"1"}).value();
   ASSERT_EQ(refusal("1", run), "");
   const std::uint64_t alice = take(), fence = control.fence_of(alice).value();
@@ -183,7 +184,7 @@ TEST_F(ControlsTest, ValuesOfARunAreForcedByWhoHasThemAlone) {
   refusal("1", control.begin({"1"}).value());
   EXPECT_EQ(code({"1"}), "") << "on this machine alone, nobody has them";
   EXPECT_EQ(code({"1", 0, true}), "conflict") << "it needs them";
-  control.confirm_all_edits(true);
+  has_accounts = true;
   EXPECT_EQ(code({"1"}), "conflict") << "it moves something";
   EXPECT_EQ(code({"2"}), "");
   const std::uint64_t alice = take();
@@ -273,9 +274,9 @@ TEST_F(ControlsTest, AStopEndsWhatIsOnItsWayByHand) {
 TEST_F(ControlsTest, EditsOfWhatMovesAreConfirmedInExecutionMode) {
   refusal("1", control.begin({"1"}).value());
   EXPECT_FALSE(control.confirms_edits("1")) << "nobody has the controls of this machine's own demo";
-  control.confirm_all_edits(true);
+  has_accounts = true;
   EXPECT_TRUE(control.confirms_edits("1"));
-  control.confirm_all_edits(false);
+  has_accounts = false;
   const std::uint64_t alice = take();
   EXPECT_TRUE(control.confirms_edits("1"));
   EXPECT_FALSE(control.confirms_edits("2")) << "it moves nothing";
@@ -298,8 +299,7 @@ TEST_F(ControlsTest, OfManyAtOnceOneHasThem) {
         const auto number = control.take("person", std::chrono::steady_clock::now());
         if (!number) {
           const std::uint64_t other = holder;
-          if (other != 0 &&
-              !control.refuse({Control::caller(other + 1), 1, 0}, "robot", services::MotionEffect::motion))
+          if (other != 0 && !control.refuse({Control::caller(other + 1), 1, 0}, "robot", rsm::CallEffect::motion))
             ++wrong;
           continue;
         }
@@ -347,7 +347,7 @@ TEST_F(ControlTest, OfManyRunsAtOnceOneHasAService) {
   for (int run = 0; run < 8; ++run)
     runs.emplace_back([&, core = std::to_string(run)] {
       for (int attempt = 0; attempt < 2000; ++attempt) {
-        if (control.refuse({core, 1, fence}, "robot", services::MotionEffect::motion)) continue;
+        if (control.refuse({core, 1, fence}, "robot", rsm::CallEffect::motion)) continue;
         const int now = ++holders;
         if (now > most) most = now;
         ++turns;

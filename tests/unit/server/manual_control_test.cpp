@@ -22,6 +22,12 @@ using namespace std::chrono_literals;
 struct Person final : ControlClient {
   explicit Person(std::string account) : who{std::move(account), Role::cell_operator} {}
   void tell(Value message) override { heard.push_back(std::move(message)); }
+  /// Of the messages that were heard.
+  std::vector<std::string> kinds() const {
+    std::vector<std::string> kinds;
+    for (const Value& message : heard) kinds.push_back(message.find("kind")->as_string());
+    return kinds;
+  }
   /// Of the errors that were heard.
   std::vector<std::string> codes() const {
     std::vector<std::string> codes;
@@ -120,6 +126,22 @@ TEST_F(ManualControlTest, HowTheyEndIsARowOfWhoHadThem) {
   manual->disconnected(*ada);
   say(ada, R"({"type": "release"})");
   EXPECT_THAT(recorded(), ElementsAre()) << "they have them no more";
+}
+
+TEST_F(ManualControlTest, WhoHadThemIsToldTheEndOnce) {
+  const auto told = [this](const std::function<void()>& end) {
+    take(ada);
+    ada->heard.clear();
+    end();
+    return ada->kinds();
+  };
+  EXPECT_THAT(told([&] { say(ada, R"({"type": "release"})"); }), ElementsAre("released"));
+  EXPECT_THAT(told([&] { manual->check(std::chrono::steady_clock::now() + 1s); }), ElementsAre("lost"));
+  EXPECT_THAT(told([&] {
+                say(bob, R"({"type": "take", "force": true})");
+                ASSERT_TRUE(manual->answer_request({}, 1, true));
+              }),
+              ElementsAre("lost"));
 }
 
 TEST_F(ManualControlTest, ATakeOverIsARowOfWhoLosesThemAndOneOfWhoGetsThem) {

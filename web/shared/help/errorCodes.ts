@@ -48,7 +48,7 @@ export const errorCodes: Readonly<Record<string, string>> = {
   corrupt: "What is stored is damaged. Take it from a backup, or remove it; the rest is not concerned.",
   rights: "Your account may not do that (status 403); the message names the role that may. An admin can give it another role: see Accounts and roles.",
   stopped: "The cell is stopped: nothing there moves, and no run begins. Make sure that nobody is in danger, then reset it.",
-  leased: "Another run has the service until it is over. Wait for that, or stop that run.",
+  leased: "Somebody has it: another run the service until it is over, or a person the controls of the cell. Wait for that, stop that run, or ask for the controls.",
 };
 
 /** The same for codes that only requests have: they say what is wrong with the request, not with what it asks for. */

@@ -48,8 +48,8 @@ struct Gate final : MotionGate {
   Expected<std::uint64_t> begin(const Beginning&) override { return 1; }
   Expected<void> may_force(const Beginning&) override { return {}; }
   bool confirms_edits(const std::string&) override { return false; }
-  std::optional<Value> refuse(const Caller& caller, const std::string& service, MotionEffect effect) override {
-    const std::string pace = effect == MotionEffect::pace ? " pace" : "";
+  std::optional<Value> refuse(const Caller& caller, const std::string& service, rsm::CallEffect effect) override {
+    const std::string pace = effect == rsm::CallEffect::pace ? " pace" : "";
     asked.push_back(caller.core + " " + std::to_string(caller.fence) + " " + service + pace);
     return refusal;
   }
