@@ -40,6 +40,9 @@ using Extension = std::unique_ptr<X509_EXTENSION, Release<X509_EXTENSION, X509_E
 constexpr std::int64_t kDay = 86'400;
 constexpr int kSerialBits = 127;  // RFC 5280, 4.1.2.2: positive, at most 20 octets
 constexpr const char* kAuthorityName = "RACE local authority";
+// No name of a host, nor an address: OpenSSL holds such a name against the constraints as if it were one of a host,
+// where a certificate is for addresses alone.
+constexpr const char* kServerName = "RACE server";
 // RFC 5280, 4.2.1.10: of addresses, private ones; of names, those of local networks.
 constexpr const char* kConstraints =
     "critical,permitted;IP:10.0.0.0/255.0.0.0,permitted;IP:172.16.0.0/255.240.0.0,permitted;IP:192.168.0.0/255.255.0.0,"
@@ -183,7 +186,7 @@ std::optional<Pair> make_server(const std::vector<std::string>& names, const Pai
   const Certificate issuer = certificate_of(authority.certificate);
   const Key issuer_key = key_of(authority.key), key = make_key();
   if (!issuer || !issuer_key || !key) return std::nullopt;
-  const Certificate made = begin_certificate(*key, names.front(), now, Authority::kServerDays);
+  const Certificate made = begin_certificate(*key, kServerName, now, Authority::kServerDays);
   if (!made || X509_set_issuer_name(made.get(), X509_get_subject_name(issuer.get())) != 1) return std::nullopt;
   const bool extended = add_extension(*made, *issuer, NID_basic_constraints, "critical,CA:FALSE") &&
                         add_extension(*made, *issuer, NID_key_usage, "critical,digitalSignature") &&

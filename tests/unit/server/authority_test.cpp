@@ -67,6 +67,12 @@ TEST_F(AuthorityTest, IsMadeOnce) {
   EXPECT_EQ(open().fingerprint(), first.fingerprint());
 }
 
+TEST_F(AuthorityTest, SignsForAnAddressAlone) {
+  const Authority authority = open();
+  const ServerCertificate server = authority.certificate_for({"10.1.2.3"}, kBegin).value();
+  EXPECT_TRUE(is_trusted(server, authority.certificate(), "10.1.2.3", kBegin));
+}
+
 TEST_F(AuthorityTest, SignsForAddressesAndNamesOfTheNetworkAndNoOthers) {
   const Authority authority = open();
   const ServerCertificate server = authority.certificate_for(names, kBegin).value();
