@@ -11,6 +11,12 @@
 namespace race::server {
 namespace {
 
+// Of the environment; empty: it is not set.
+std::string variable(const char* name) {
+  const char* const given = std::getenv(name);
+  return given ? given : "";
+}
+
 std::string text_of(const Value& error, std::string_view field) {
   const Value* text = error.find(field);
   return text && text->is_string() ? text->as_string() : std::string();
@@ -34,12 +40,15 @@ void print_errors(const HttpClient::Answer& answer, bool json) {
 
 Expected<std::string> token_of(const std::optional<std::string>& file) {
   if (file) return read_token_file(*file);
-  const char* const given = std::getenv("RACE_TOKEN");
-  return std::string(given ? given : "");
+  return variable("RACE_TOKEN");
 }
 
 void ServerOptions::declare(Arguments& arguments, const std::string& json_help) {
   arguments.text("--server", "URL", url, "where the server is");
+  arguments.text(
+      "--ca", "FILE", authority,
+      "of https: the authority of the server, tls/ca.pem of its data folder; else that in RACE_CA, else those "
+      "that this machine trusts");
   arguments.text("--token-file", "FILE", token_file, "the token of your account; else that in RACE_TOKEN");
   arguments.flag("--json", json, json_help);
 }
@@ -54,6 +63,7 @@ tl::expected<Value, int> ask_server(const ServerOptions& server, std::string_vie
   const auto token = token_of(server.token_file);
   if (!token) return tl::unexpected(refuse(token.error(), server.json));
   client->set_token(*token);
+  client->set_authority(server.authority.value_or(variable("RACE_CA")));
   auto answer = client->request(method, target, body);
   if (!answer) return tl::unexpected(refuse(answer.error(), server.json));
   if (answer->status >= 200 && answer->status < 300) return std::move(answer->body);

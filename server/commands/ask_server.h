@@ -18,8 +18,8 @@ class Arguments;
 struct ServerOptions {
   std::string url = kDefaultServer;
   bool json = false;  // also as JSON to stdout
-  std::optional<std::string> token_file;
-  /// Declares `--server`, `--token-file` and `--json`; `json_help` says what is printed then.
+  std::optional<std::string> token_file, authority;
+  /// Declares `--server`, `--ca`, `--token-file` and `--json`; `json_help` says what is printed then.
   void declare(Arguments& arguments, const std::string& json_help);
 };
 

@@ -111,6 +111,10 @@ int run_service(const Options& options) {
   const std::string& url = options.server;
   const auto address = remote::read_address(url);
   if (!address) return refuse(address.error());
+  if (address->tls)
+    return refuse(Error{ErrorCode::not_accepted,
+                        "a process of services connects without TLS: to a server of its own machine, or by a tunnel",
+                        url});
   const GroupSetup setup{options.folder, options.database};
   Log log(name);
   std::signal(SIGPIPE, SIG_IGN);  // of a log that nobody reads any more

@@ -35,11 +35,14 @@ class HttpClient {
   static Expected<HttpClient> create(std::string url) { return create(std::move(url), Timeouts()); }
   /// Sends the token of an account with each request.
   void set_token(std::string token) { token_ = std::move(token); }
+  /// Over TLS, trusts the authority whose certificate is in this file (PEM); empty, as at first: those that the machine
+  /// trusts.
+  void set_authority(std::string file) { authority_ = std::move(file); }
 
   /// Sends a request and waits for its answer, whatever its status. `method`: of HTTP, "GET"; `target`: path and query,
   /// encoded (message.h, encode_part). Errors, with the URL as path: `unavailable` (nothing listens there, or no answer
   /// came in time; the server may have executed it), `io` (what answers speaks no HTTP or no JSON, or more than
-  /// kBodyBytes).
+  /// kBodyBytes, or it is not trusted); with the file of the authority as path `io`.
   Expected<Answer> request(std::string_view method, std::string_view target,
                            const std::optional<Value>& body = {}) const;
 
@@ -50,7 +53,8 @@ class HttpClient {
   std::string url_;
   remote::Address address_;
   Timeouts timeouts_;
-  std::string token_;  // empty: none
+  std::string token_;      // empty: none
+  std::string authority_;  // a file
 };
 
 }  // namespace race::server

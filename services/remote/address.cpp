@@ -6,13 +6,16 @@ namespace race::remote {
 
 Expected<Address> read_address(std::string_view url) {
   const auto refuse = [&] {
-    return unexpected(ErrorCode::syntax, "must be of the form http://HOST:PORT, got `" + std::string(url) + "`");
+    return unexpected(ErrorCode::syntax,
+                      "must be of the form http://HOST:PORT or https://HOST:PORT, got `" + std::string(url) + "`");
   };
-  constexpr std::string_view kScheme = "http://";
-  if (!url.starts_with(kScheme)) return refuse();
-  std::string_view rest = url.substr(kScheme.size());
-  if (rest.ends_with('/')) rest.remove_suffix(1);
+  constexpr std::string_view kPlain = "http://", kTls = "https://";
   Address address;
+  address.tls = url.starts_with(kTls);
+  if (!address.tls && !url.starts_with(kPlain)) return refuse();
+  if (address.tls) address.port = 443;
+  std::string_view rest = url.substr(address.tls ? kTls.size() : kPlain.size());
+  if (rest.ends_with('/')) rest.remove_suffix(1);
   const auto colon = rest.find(':');
   address.host = std::string(rest.substr(0, colon));
   if (address.host.empty() || address.host.find_first_of("/?#@[] ") != std::string::npos) return refuse();

@@ -13,9 +13,10 @@ namespace race::remote {
 struct Address {
   std::string host;
   std::uint16_t port = 80;
+  bool tls = false;
 };
 
-/// Reads `http://HOST[:PORT]`, with or without a `/` at its end. Error `syntax`.
+/// Reads `http://HOST[:PORT]`, with or without a `/` at its end, or the same with `https` (port 443). Error `syntax`.
 Expected<Address> read_address(std::string_view url);
 
 }  // namespace race::remote

@@ -2,6 +2,7 @@
 #include "server/http/client.h"
 
 #include <arpa/inet.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -10,6 +11,8 @@
 
 #include "server/http/listener.h"
 #include "server/http/refusal.h"
+#include "server/tls/authority.h"
+#include "server/wire/calendar.h"
 #include "tests/unit/server/bench.h"
 
 namespace race::server {
@@ -19,12 +22,18 @@ using namespace std::chrono_literals;
 
 std::string url_of(std::uint16_t port) { return "http://127.0.0.1:" + std::to_string(port); }
 
-// Our own server, which answers with what it was asked.
+// Our own server, which answers with what it was asked; at its second place over TLS, by an authority of its own, as in
+// a local network.
 struct ClientTest : testing::Test {
   ClientTest() {
-    server = HttpServer::listen(0, "",
+    const std::int64_t now = now_ms() / 1000;
+    const Authority authority = Authority::open(folder.file("tls"), now).value();
+    const auto certificate = authority.certificate_for({"127.0.0.1"}, now).value();
+    const HttpServer::Place network{.tls = HttpServer::Place::Tls{{"127.0.0.1"}, certificate.chain, certificate.key}};
+    server = HttpServer::listen({HttpServer::Place(), network}, "",
                                 {admit_all, handle, [] { return Reply(); }, [](const Identity&) { return Reply(); },
-                                 hub, displays, edits, presence, control, records, remotes, clients})
+                                 hub, displays, edits, presence, control, records, remotes, clients},
+                                HttpServer::Limits())
                  .value();
     thread = std::thread([this] { server->run(); });
   }
@@ -40,6 +49,7 @@ struct ClientTest : testing::Test {
   }
   HttpClient client() const { return HttpClient::create(url_of(server->port())).value(); }
 
+  const TemporaryFolder folder;
   Pool pool{1};
   Hub hub{pool, 1, [](const std::string&) { return std::nullopt; }};
   display::Screens screens;
@@ -75,6 +85,22 @@ TEST_F(ClientTest, GivesARefusalAsAnAnswer) {
   ASSERT_TRUE(refused) << to_string(refused.error());
   EXPECT_EQ(refused->status, 409);
   EXPECT_EQ(*refused->body.find("errors")->as_list().front().find("code"), Value("conflict"));
+}
+
+TEST_F(ClientTest, TrustsOverTlsTheAuthorityThatItIsTold) {
+  const auto ask = [&](const std::string& host, const std::string& trusted) {
+    auto client = HttpClient::create("https://" + host + ":" + std::to_string(server->port(1))).value();
+    client.set_authority(trusted);
+    const auto answer = client.request("PUT", "/api/c", Dict{{"d", 1}});
+    return answer ? answer->body.find("body")->as_string() : to_string(answer.error());
+  };
+  using testing::HasSubstr;
+  const std::string authority = folder.file("tls/ca.pem");
+  EXPECT_EQ(ask("127.0.0.1", authority), R"({"d":1})");
+  EXPECT_THAT(ask("127.0.0.1", ""), HasSubstr("io: is not trusted")) << "the machine does not know it";
+  EXPECT_THAT(ask("localhost", authority), HasSubstr("io: is not trusted")) << "it is for another name";
+  for (const char* none : {"none.pem", "tls/ca.key"})
+    EXPECT_THAT(ask("127.0.0.1", folder.file(none)), HasSubstr("io: no certificate can be read")) << none;
 }
 
 // Accepts one connection, says `text`, and holds it until the test is over.

@@ -38,6 +38,7 @@ export const accounts: readonly Topic[] = [
       code("race serve --lan --data DIR"),
       text("It prints the addresses at which the network reaches it, and the fingerprint of its certificate authority. Nobody signs certificates for a machine in a workshop, so the server has an authority of its own; a device trusts it once, and browsers warn no more. It can vouch for private addresses and local names only, and for no other site."),
       list("Open `/trust/` at one of the addresses on the device: it leads through the steps for Android, iPhone, Windows, macOS and Linux.", "Compare the fingerprint there with what the server has printed, or with what `/trust/` shows on its own machine.", "Then open the page, or the display of a phone: Pair a phone shows its code."),
+      text("Commands on another computer trust the authority by its certificate, `tls/ca.pem` in the data folder of the server, or what `/trust/` gives: `race core list --server https://ADDRESS:8443 --ca ca.pem`. A process of services connects on the machine of the server, or through a tunnel."),
       text("Do not lead the port to the internet: the server is made for a local network."),
     ],
   },
