@@ -322,34 +322,59 @@ describe("a taught pose", () => {
 });
 
 describe("a pose that is taught in place", () => {
-  const mouseHold = async (name: string, time: number): Promise<void> => {
-    const held = panel().getByRole("button", { name: `${name}, while held`, exact: true });
-    await held.scrollIntoViewIfNeeded();
-    const { x, y } = await middle(held);
-    await page.mouse.move(x, y);
-    await page.mouse.down();
-    await page.waitForTimeout(time);
-    await page.mouse.up();
-  };
   const heights = async (): Promise<readonly number[]> => ((await fixture.send("POST", "/services/robot/calls", { operation: "state" })) as { readonly result: { readonly pose: { readonly position: readonly number[] } } }).result.pose.position;
 
+  /** Takes the controls, also again: a machine that has much to do may lose them. */
+  const prepare = async (): Promise<void> => {
+    const before = panel().getByRole("region", { name: "Before you move the robot" });
+    if ((await before.count()) === 0) return;
+    await before.getByRole("button", { name: "Take the controls" }).click();
+    await page.getByText("You have the controls").waitFor();
+    const programming = before.getByRole("button", { name: "Programming" });
+    if ((await programming.count()) > 0) await programming.click();
+    await before.waitFor({ state: "detached" });
+  };
+
+  /** Holds the button until the arm is above `height`; who sees that nothing moves lets go, and presses again. The height then [m]. */
+  const raise = async (height: number, press: (held: Locator) => Promise<void>, letGo: () => Promise<void>): Promise<number> => {
+    const held = panel().getByRole("button", { name: "Tool along Z plus, while held", exact: true });
+    for (let tries = 0; tries < 5; tries++) {
+      await prepare();
+      await held.scrollIntoViewIfNeeded();
+      await press(held);
+      const isOver = async () => (await held.isDisabled()) || (await panel().getByText(/^Not moved: /).count()) > 0 || ((await heights())[2] ?? 0) > height;
+      for (const end = Date.now() + 5000; Date.now() < end && !(await isOver()); );
+      await letGo();
+      const [, , at = 0] = await heights();
+      if (at > height) return at;
+    }
+    throw new Error(`the arm is not above ${height} m`);
+  };
+
   it("is where mouse and keys have led the arm, under a name that was free, and the parameter is set to it", async () => {
+    // Without the view of the arm, which a machine without a graphics card draws slowly.
+    await page.goto(`${fixture.url}/one/?edit=sort-parts`);
     await card("Move to").click();
     await panel().getByRole("button", { name: "Teach here" }).click();
-    const before = panel().getByRole("region", { name: "Before you move the robot" });
     expect(await panel().getByRole("button", { name: "Tool along Z plus, while held" }).isDisabled()).toBe(true);
-    await before.getByRole("button", { name: "Take the controls" }).click();
-    await before.getByRole("button", { name: "Programming" }).click();
-    await before.waitFor({ state: "detached" });
     const [, , start = 0] = await heights();
-    await mouseHold("Tool along Z plus", 1000);
-    const [, , byMouse = 0] = await heights();
-    expect(byMouse).toBeGreaterThan(start + 0.005);
-    await panel().getByRole("button", { name: "Tool along Z plus, while held", exact: true }).focus();
-    await page.keyboard.down("Space");
-    await page.waitForTimeout(1000);
-    await page.keyboard.up("Space");
-    await expect.poll(async () => (await heights())[2]).toBeGreaterThan(byMouse + 0.005);
+    const byMouse = await raise(
+      start + 0.005,
+      async (held) => {
+        const { x, y } = await middle(held);
+        await page.mouse.move(x, y);
+        await page.mouse.down();
+      },
+      () => page.mouse.up(),
+    );
+    await raise(
+      byMouse + 0.005,
+      async (held) => {
+        await held.focus();
+        await page.keyboard.down("Space");
+      },
+      () => page.keyboard.up("Space"),
+    );
     await fixture.screenshot("one-teach");
     await panel().getByRole("button", { name: "Save as pose1" }).click();
     await panel().getByText("Saved as pose1.").waitFor();
