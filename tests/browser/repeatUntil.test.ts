@@ -1,4 +1,4 @@
-// RACE-One: steps that are repeated until one of them says so, chosen in the form of the loop and run. On the real server.
+// RACE-One: steps that are repeated until one of them says so, chosen in the form of the loop and run; and what is refused there. On the real server.
 import { devices, type Page } from "playwright-core";
 import { findings } from "./axe";
 import { openFixture, type Fixture } from "./fixture";
@@ -32,7 +32,7 @@ const until = () => panel().getByRole("checkbox", { name: "Until “Count” say
 
 async function add(skill: string): Promise<void> {
   await page.locator(`[data-skill="${skill}"]`).click();
-  await card({ Count: "Count", WaitTime: "Wait" }[skill] ?? skill).waitFor();
+  await card({ WaitTime: "Wait", SearchObject: "Search a part", PickFound: "Pick the found part" }[skill] ?? skill).waitFor();
 }
 
 /** What is written: the ports of the loop and of what it repeats, by their conditions, and how often it repeats. */
@@ -85,6 +85,24 @@ it("is chosen at the step, too, where it says what comes then, or what is done i
   await card("Repeat").getByText("until “There are as many as wanted”, or until “Count” fails").waitFor();
   await card("Count").getByText("if it fails: end the loop").waitFor();
   await fixture.screenshot("one-until-step", page);
+});
+
+it("is refused where a step behind would lose the part that it takes, with what to do", async () => {
+  await card("Wait").click();
+  await add("SearchObject");
+  await add("PickFound");
+  await card("Search a part").click();
+  const told = page.getByRole("status", { name: "What was said last" });
+  await panel().getByRole("button", { name: "Repeat", exact: true }).click();
+  await told.getByText('Not done: "Pick the found part" takes what "Search a part" gives: repeat both, or choose another "Part" there.').waitFor();
+  await fixture.screenshot("one-refused", page);
+  await panel().getByRole("button", { name: "Remove" }).click();
+  await told.getByText('Not done: "Pick the found part" takes what "Search a part" gives: remove "Pick the found part" first, or choose another "Part" there.').waitFor();
+  for (const title of ["Pick the found part", "Search a part"]) {
+    await card(title).click();
+    await panel().getByRole("button", { name: "Remove" }).click();
+    await card(title).waitFor({ state: "detached" });
+  }
 });
 
 it("ends the loop when it is run, and the run is done", async () => {
