@@ -1,4 +1,5 @@
 // The service `robot` as tasks meet it: operations, responses, events; the monitor watches every announcement.
+#include <limits>
 #include <random>
 
 #include "tests/unit/services/robot/robot_service.h"
@@ -236,7 +237,9 @@ TEST_F(RobotService, AnswersAnyTargetAndNeverLeavesItsLimits) {
   constexpr unsigned seed = 99;
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937 random(seed);
-  const std::vector<double> odd = {0, -0.0, 1e-300, 1e300, -1e18, 0.5, 1, M_PI, INFINITY, -INFINITY, NAN};
+  using Limits = std::numeric_limits<double>;
+  const std::vector<double> odd = {
+      0, -0.0, 1e-300, 1e300, -1e18, 0.5, 1, M_PI, Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN()};
   const auto number = [&] {
     if (random() % 4 == 0) return Value(odd[random() % odd.size()]);
     if (random() % 20 == 0) return Value("one");
