@@ -133,6 +133,13 @@ describe.each(kScreens)("the first use on a %s", (screen, device) => {
     throw new Error(`the tool is not led along ${name} to ${target}: it is at ${(await tool()).join(", ")}`);
   }
 
+  /** The page says how much higher the gripper is than it was at the part [mm]. */
+  async function saysHeight(): Promise<void> {
+    const above = Math.round((((await tool())[2] ?? 0) - ((await taught("part1"))[2] ?? 0)) * 1000);
+    const near = [above - 1, above, above + 1].map((mm) => (mm > 0 ? `${mm} mm higher than` : `${-mm} mm lower than`));
+    await page.getByText(new RegExp(`The gripper is (${[...near, ...(Math.abs(above) <= 3 ? ["as low as it was"] : [])].join("|")}) at the part`)).waitFor();
+  }
+
   /** Fast above, and slowly down. */
   async function lead([x = 0, y = 0]: readonly number[], z: number): Promise<void> {
     const fast = await speed(0.4);
@@ -162,6 +169,7 @@ describe.each(kScreens)("the first use on a %s", (screen, device) => {
     await fixture.screenshot(`first-${screen}-calibrating`, page);
     expect(await button("Next").isDisabled()).toBe(true);
     await heading("All done").waitFor({ timeout: 240_000 });
+    await call("db", "get", { key: "o_t_c" });
     await looksGood("calibrated", "Where does the camera stand?");
     await tap("Next");
     await button("Save as part1").waitFor();
@@ -174,13 +182,17 @@ describe.each(kScreens)("the first use on a %s", (screen, device) => {
     await tap("Next");
     await button("Save as place1").waitFor();
     await looksGood("place", "Where does it go?");
+    await saysHeight();
     await lead(kGoal, kGrasp + 0.001);
+    await saysHeight();
     await fixture.screenshot(`first-${screen}-place-there`, page);
     await tap("Save as place1");
     await page.getByText("Saved as place1.").waitFor();
     await tap("Next");
     await tap("Make the application");
-    await page.getByRole("list", { name: "What the robot will do" }).getByText("part1").waitFor();
+    const made = page.getByRole("list", { name: "What the robot will do" }).getByRole("listitem");
+    await made.nth(1).waitFor();
+    expect((await made.allInnerTexts()).map((text) => text.split(/\s*\n\s*/))).toEqual([["Pick a part", "part1"], ["Place the part", "place1"]]);
     await looksGood("application", "This is your application");
     await tap("Next");
     await button("Start").waitFor();

@@ -50,10 +50,10 @@ export function CameraStep() {
     return (
       <>
         <RunView name={edit} />
-        <div className="guided-body is-below">
+        <section className="guided-body is-below" aria-label={texts.guide.ways}>
           {!isMoving && known !== true && <p className="doc">{t.skip}</p>}
           <Ways step="camera" isReady={!isMoving} />
-        </div>
+        </section>
       </>
     );
   const missing = skill === undefined ? texts.cell.noSkills(t.task) : skill.missing;

@@ -54,5 +54,6 @@ function Height() {
   }, [part]);
   if (tool === undefined || height === undefined) return null;
   const above = tool[2] - height;
-  return <p className="guided-height">{Math.abs(above) <= kSame ? texts.place.sameHeight : texts.place.height(inMillimetres(above))}</p>;
+  const { sameHeight, higher, lower } = texts.place;
+  return <p className="guided-height">{Math.abs(above) <= kSame ? sameHeight : (above > 0 ? higher : lower)(inMillimetres(Math.abs(above)))}</p>;
 }

@@ -16,7 +16,7 @@ export function RunStep() {
   return (
     <>
       {edit !== undefined ? <RunView name={edit} /> : <main className="guided-body"><p className="problem">{texts.application.missingPoses}</p></main>}
-      <div className="guided-body is-below">
+      <section className="guided-body is-below" aria-label={texts.guide.ways}>
         {isDone && (
           <>
             <p className="guided-done" role="status">
@@ -31,7 +31,7 @@ export function RunStep() {
           </>
         )}
         <Ways step="run" isReady />
-      </div>
+      </section>
     </>
   );
 }

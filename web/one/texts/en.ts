@@ -223,6 +223,7 @@ export const en = {
   },
   guide: {
     name: "Guide",
+    ways: "Steps of the guide",
     count: (step: number, of: number) => `Step ${step} of ${of}`,
     back: "Back",
     next: "Next",
@@ -263,7 +264,8 @@ export const en = {
     title: "Where does it go?",
     todo: "Move the gripper up, away, and down where the part is to stand, as low as it was at the part. Then save.",
     stem: "place",
-    height: (millimetres: string) => `The gripper is ${millimetres} mm higher than at the part.`,
+    higher: (millimetres: string) => `The gripper is ${millimetres} mm higher than at the part.`,
+    lower: (millimetres: string) => `The gripper is ${millimetres} mm lower than at the part.`,
     sameHeight: "The gripper is as low as it was at the part.",
   },
   application: {
