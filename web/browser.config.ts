@@ -6,7 +6,7 @@ import { defineConfig } from "vitest/config";
 const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 
 const tests = "tests/browser/**/*.test.ts";
-const alone = ["control", "firstUse", "large", "lostPage", "moving", "one", "pairing", "pendant", "stop"].map((name) => `tests/browser/${name}.test.ts`);
+const alone = ["control", "firstUse", "large", "lostPage", "moving", "one", "pairing", "pendant", "posePreview", "speed", "stop"].map((name) => `tests/browser/${name}.test.ts`);
 
 export default defineConfig({
   root: here(".."),
