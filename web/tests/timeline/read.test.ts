@@ -2,13 +2,12 @@
 import { expect, test } from "vitest";
 import { apply, type Operation } from "../../shared/edit/apply";
 import type { Command } from "../../shared/edit/commands/command";
-import { plain, readExact, writeExact } from "../../shared/edit/exact";
+import { readExact, writeExact } from "../../shared/edit/exact";
 import { Refusal } from "../../shared/edit/refusal";
 import { elementOf, listOf, type Tree } from "../../shared/edit/tree";
 import { nameOfElement } from "../../shared/edit/commands/command";
 import type { JsonValue } from "../../shared/json";
 import { addSkill, addTask, nameFor } from "../../shared/timeline/changes/add";
-import type { Supplies } from "../../shared/timeline/changes/draft";
 import { setFailure, setOutcome } from "../../shared/timeline/changes/failure";
 import { loopSteps } from "../../shared/timeline/changes/loop";
 import { moveStep, removeStep, renameStep, setDisabled } from "../../shared/timeline/changes/steps";
@@ -18,17 +17,7 @@ import { readApplication, readTimeLine } from "../../shared/timeline/read";
 import { treeOf } from "../edit/documents";
 import { readJson } from "../files";
 import { emptyApp, skills, stateNamed } from "../skills/fixture";
-
-let count = 0;
-const supplies: Supplies = { newId: () => `n${++count}`, documents: [skills] };
-
-function after(tree: Tree, command: Command): { readonly tree: Tree; readonly id: string } {
-  if ("reason" in command) throw new Error(command.reason);
-  if (!("operations" in command.change)) throw new Error("the server makes this change");
-  const applied = apply(tree, { operations: plain<readonly Operation[]>(command.change.operations) });
-  if (applied instanceof Refusal) throw applied;
-  return { tree: applied.tree, id: command.select ?? "" };
-}
+import { after, supplies } from "./after";
 
 /** An application of one task with these skills. */
 function appOf(...names: readonly string[]): { readonly tree: Tree; readonly task: string; readonly steps: readonly string[] } {

@@ -1,6 +1,6 @@
 // A change of a time line changes nothing of where the other steps take their values from; a change that would is refused.
 import { expect, test } from "vitest";
-import { apply, type Operation } from "../../shared/edit/apply";
+import { apply } from "../../shared/edit/apply";
 import { nameOfElement } from "../../shared/edit/commands/command";
 import { Refusal } from "../../shared/edit/refusal";
 import { elementOf, listOf, subtree, type Tree } from "../../shared/edit/tree";
@@ -9,9 +9,9 @@ import { addSkill, addTask } from "../../shared/timeline/changes/add";
 import { loopSteps, unloop } from "../../shared/timeline/changes/loop";
 import { moveStep, removeStep } from "../../shared/timeline/changes/steps";
 import type { Command } from "../../shared/edit/commands/command";
-import { plain } from "../../shared/edit/exact";
 import { randomOf, setting } from "../edit/random";
 import { emptyApp, skills, stateNamed } from "../skills/fixture";
+import { after, supplies } from "./after";
 import { RandomTask } from "./randomChanges";
 
 const seed = setting("RACE_SEED", Date.now() % 1_000_000);
@@ -65,16 +65,6 @@ test("after any change, each step that it does not name takes each of its values
   expect(refused).toBeGreaterThan(0);
 });
 
-function after(tree: Tree, command: Command): { readonly tree: Tree; readonly id: string } {
-  if ("reason" in command) throw new Error(command.reason);
-  if (!("operations" in command.change)) throw new Error("the server makes this change");
-  const applied = apply(tree, { operations: plain<readonly Operation[]>(command.change.operations) });
-  if (applied instanceof Refusal) throw applied;
-  return { tree: applied.tree, id: command.select ?? "" };
-}
-
-let count = 0;
-const supplies = { newId: () => `n${++count}`, documents: [skills] };
 const placeOf = (name: string) => ({ document: "skills", id: stateNamed(skills.tree, name) });
 
 /** A task with a parameter `fast`, of two steps that move; that at `index` has its speed by `from`. */

@@ -3,7 +3,6 @@ import { expect, test } from "vitest";
 import { apply, type Operation } from "../../shared/edit/apply";
 import type { Command } from "../../shared/edit/commands/command";
 import { nameOfElement } from "../../shared/edit/commands/command";
-import { plain } from "../../shared/edit/exact";
 import { Refusal } from "../../shared/edit/refusal";
 import { elementOf, listOf, type Tree } from "../../shared/edit/tree";
 import { addSkill, addTask } from "../../shared/timeline/changes/add";
@@ -16,17 +15,7 @@ import { repeatText } from "../../one/line/repeatText";
 import { endsOf } from "../../shared/timeline/until";
 import { documentText } from "../edit/documents";
 import { emptyApp, skills, stateNamed } from "../skills/fixture";
-
-let count = 0;
-const supplies = { newId: () => `n${++count}`, documents: [skills] };
-
-function after(tree: Tree, command: Command): { readonly tree: Tree; readonly id: string } {
-  if ("reason" in command) throw new Error(command.reason);
-  if (!("operations" in command.change)) throw new Error("the server makes this change");
-  const applied = apply(tree, { operations: plain<readonly Operation[]>(command.change.operations) });
-  if (applied instanceof Refusal) throw applied;
-  return { tree: applied.tree, id: command.select ?? "" };
-}
+import { after, supplies } from "./after";
 
 /** A task in which a search and a text are repeated three times, and a text follows. */
 function looped(): { readonly tree: Tree; readonly task: string; readonly loop: string; readonly find: string; readonly say: string } {
