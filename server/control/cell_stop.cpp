@@ -46,14 +46,22 @@ void CellStop::halt(const Control::Ended& ended, const std::string& why) {
   if (!ended.services.empty() || !ended.cores.empty()) pool_.post([this, why] { log_("stops: " + why); });
 }
 
-// Slow before anything can move in it.
-void CellStop::change_mode(const Control::Ended& ended, Mode mode, const std::string& by) {
-  limit_speed(mode);
-  const std::string mode_name(name(mode));
-  halt(ended, by + " has set the mode: " + mode_name);
-  disk_.post([this, mode] {
-    if (auto written = marks_.mode.write(mode); !written) log_(to_string(written.error()));
-  });
+// Slow before anything can move by hand, and until nothing can any more: what refuses the change leaves the limit of
+// the mode that stays.
+Expected<void> CellStop::set_mode(std::uint64_t number, Mode mode) {
+  if (auto holds = control_.fence_of(number); !holds) return tl::unexpected(std::move(holds).error());
+  Control::Ended ended;
+  {
+    const services::MutexLock lock(modes_mutex_);
+    if (mode == Mode::programming) limit_speed(mode);
+    auto changed = control_.set_mode(number, mode);
+    limit_speed(control_.mode());
+    if (!changed) return tl::unexpected(std::move(changed).error());
+    ended = *std::move(changed);
+    write_mode();
+  }
+  halt(ended, ended.by + " has set the mode: " + std::string(name(mode)));
+  return {};
 }
 
 void CellStop::end() {
@@ -65,10 +73,19 @@ void CellStop::limit_speed(Mode mode) {
   host_.limit_speed(mode == Mode::programming ? std::optional(kReducedSpeed) : std::nullopt);
 }
 
-// What is written is what holds then: of a stop and a reset, the later.
+// What is written is what holds then: of a stop and a reset, and of two modes, the later.
 void CellStop::write_stop() {
   disk_.post([this] {
     if (auto written = marks_.stop.write(control_.stopped()); !written) log_(to_string(written.error()));
+  });
+}
+
+// One write waits at most, however often the mode changes.
+void CellStop::write_mode() {
+  if (mode_waits_.exchange(true)) return;
+  disk_.post([this] {
+    mode_waits_ = false;
+    if (auto written = marks_.mode.write(control_.mode()); !written) log_(to_string(written.error()));
   });
 }
 

@@ -10,12 +10,14 @@
 #include <functional>
 #include <string>
 
+#include "core/value/expected.h"
 #include "server/control/control.h"
 #include "server/control/mode_mark.h"
 #include "server/control/stop_mark.h"
 #include "server/execution/cores.h"
 #include "server/threads/strand.h"
 #include "services/host/host.h"
+#include "services/mutex.h"
 
 namespace race::server {
 
@@ -38,14 +40,16 @@ class CellStop {
   /// of its services are called. The runs are paused, and go on when a person wants that. `why`: for the log, if
   /// anything stops.
   void halt(const Control::Ended& ended, const std::string& why);
-  /// The control has another mode.
-  void change_mode(const Control::Ended& ended, Mode mode, const std::string& by);
+  /// The control has another mode, the robots its limit of speed, and the file its mark: one change after the other, so
+  /// that the three never tell of two modes. What moved before stops. Error `leased`: `number` has not the controls.
+  Expected<void> set_mode(std::uint64_t number, Mode mode) EXCLUDES(modes_mutex_);
   /// Does what is still to be done, and nothing any more.
   void end();
 
  private:
   void limit_speed(Mode mode);
   void write_stop();
+  void write_mode();
   void end_runs();
 
   Control& control_;
@@ -53,6 +57,8 @@ class CellStop {
   Cores& cores_;
   const Marks marks_;
   const Log log_;
+  services::Mutex modes_mutex_;                             // the control's and the host's may be taken under it
+  std::atomic<bool> mode_waits_{false};                     // to be written
   std::atomic<Control::Steady> called_{Control::Steady()};  // when the safe operations were called last
   Pool pool_{1, 0, "stops"}, disk_{1, 0, "marks"};
 };

@@ -201,12 +201,6 @@ Expected<void> ManualControl::answer_request(const Identity& identity, std::int6
   return {};
 }
 
-Expected<void> ManualControl::set_mode(std::uint64_t number, Mode mode) {
-  ASSIGN_OR_RETURN(const Control::Ended ended, control_.set_mode(number, mode));
-  cell_stop_.change_mode(ended, mode, ended.by);
-  return {};
-}
-
 Expected<std::uint64_t> ManualControl::number_of(std::string_view secret) const {
   if (secret.empty()) return 0;
   const std::string digest = digest_of_secret(std::string(secret));

@@ -67,8 +67,6 @@ class ManualControl final : public ControlRequests {
   /// A person at the cell answers the request of this id: the controls go over, or stay. Errors: `not_found`: there is
   /// no such request, or no more; `rights`: they are not at the cell.
   Expected<void> answer_request(const Identity& identity, std::int64_t id, bool allow) EXCLUDES(mutex_);
-  /// What moves stops, and goes on in the other mode when a person wants it. Error `leased`.
-  Expected<void> set_mode(std::uint64_t number, Mode mode);
 
  private:
   static constexpr std::string_view kRequests = "request";  // the caller of what needs no controls

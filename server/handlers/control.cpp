@@ -38,12 +38,12 @@ Handled answer_control_request(const Request& request, ManualControl& manual, Co
   return ok(control.json());
 }
 
-Handled set_mode(const Request& request, ManualControl& manual, Control& control) {
+Handled set_mode(const Request& request, CellStop& cell_stop, ManualControl& manual, Control& control) {
   const auto mode = read_body(request.body, read_mode);
   if (!mode) return tl::unexpected(mode.error());
   const auto number = control_of(request, manual);
   if (!number) return failed(number.error());
-  if (auto set = manual.set_mode(*number, *mode); !set) return failed(set.error());
+  if (auto set = cell_stop.set_mode(*number, *mode); !set) return failed(set.error());
   return ok(control.json());
 }
 

@@ -74,7 +74,7 @@ Handled stop_cell(const Request& request, CellStop& cell_stop, Control& control)
 Handled reset_stop(const Request& request, CellStop& cell_stop, Control& control);
 Handled get_control(const Request& request, Control& control, Accounts& accounts);
 Handled answer_control_request(const Request& request, ManualControl& manual, Control& control);
-Handled set_mode(const Request& request, ManualControl& manual, Control& control);
+Handled set_mode(const Request& request, CellStop& cell_stop, ManualControl& manual, Control& control);
 Handled get_rules(const Request& request);
 Handled list_documents(const Request& request, Documents& documents);
 Handled get_document(const Request& request, Documents& documents);

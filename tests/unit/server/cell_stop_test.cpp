@@ -2,6 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
+#include <atomic>
+#include <barrier>
+#include <future>
 #include <thread>
 
 #include "core/rsm/document.h"
@@ -30,7 +34,9 @@ class Winch final : public services::Component {
     host_.transition(call.operation, call.id);
     host_.result(call.id, nullptr);
   }
+  void limit_speed(std::optional<double> tool_speed) override { limit = tool_speed; }
   std::vector<std::string> calls;
+  std::optional<double> limit;
 
  private:
   services::ServiceHost& host_;
@@ -62,6 +68,83 @@ TEST_F(CellStopTest, AFloodOfPressesCallsOnce) {
   for (std::int64_t now = 1'000'000; now < 1'010'000; now += 1000) cell_stop.stop("alice", now);
   queue.run();
   EXPECT_THAT(winch->calls, ElementsAre("brake"));
+}
+
+TEST_F(CellStopTest, ModeLimitAndMarkAreOfOneModeWhoeverSetsItAtOnce) {
+  const std::uint64_t number = *control.take("alice", std::chrono::steady_clock::now());
+  constexpr int kRounds = 500;
+  std::barrier begun(3);
+  const auto toggle = [&](Mode mode) {
+    return std::thread([this, &begun, number, mode] {
+      for (int round = 0; round < kRounds; ++round) {
+        begun.arrive_and_wait();
+        EXPECT_TRUE(cell_stop.set_mode(number, mode));
+        begun.arrive_and_wait();
+      }
+    });
+  };
+  std::array<std::thread, 2> people{toggle(Mode::programming), toggle(Mode::execution)};
+  int differs = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    begun.arrive_and_wait();
+    begun.arrive_and_wait();
+    queue.run();
+    if (winch->limit != (control.mode() == Mode::programming ? std::optional(kReducedSpeed) : std::nullopt)) ++differs;
+  }
+  for (std::thread& person : people) person.join();
+  EXPECT_EQ(differs, 0) << "of " << kRounds;
+  cell_stop.end();
+  EXPECT_EQ(ModeMark(folder.file("mode")).read(), control.mode());
+}
+
+// Keeps the host busy from its first word on, until it may go on.
+struct Busy final : services::HostObserver {
+  void delivered(const services::Delivery&) override {
+    begun.set_value();
+    go_on.get_future().wait();
+  }
+  void changed(const services::ServiceStatus&) override {}
+  void logged(services::Time, const std::string&, const std::string&) override {}
+  std::promise<void> begun, go_on;
+};
+
+TEST_F(CellStopTest, NoOtherModeBeginsUntilTheLimitIsThatOfTheOneBefore) {
+  for (const Mode first : {Mode::programming, Mode::execution}) {
+    const Mode before = first == Mode::programming ? Mode::execution : Mode::programming;
+    std::atomic<int> told{0};
+    Control people{[&](const Value&) { ++told; }};
+    people.set_mode(before);
+    const std::uint64_t number = *people.take("alice", std::chrono::steady_clock::now());
+    Busy busy;
+    services::Host slow(clock, busy);
+    CellStop stops{people, slow, cores, {StopMark(folder.file("no")), ModeMark(folder.file("other"))}, [](auto&) {}};
+    people.set_mode(before);  // whatever the file says
+    std::thread talk([&] { slow.call({"core", 1}, "nobody", "go", {}, {}); });
+    busy.begun.get_future().wait();
+    told = 0;
+    std::thread one([&] { EXPECT_TRUE(stops.set_mode(number, first)); });
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    EXPECT_EQ(people.mode(), Mode::execution) << "not before the robots are slow";
+    std::thread other([&] { EXPECT_TRUE(stops.set_mode(number, before)); });
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    EXPECT_EQ(told, first == Mode::programming ? 0 : 1);
+    busy.go_on.set_value();
+    for (std::thread* each : {&talk, &one, &other}) each->join();
+    EXPECT_EQ(people.mode(), before);
+  }
+}
+
+TEST_F(CellStopTest, WhoHasNotTheControlsChangesNoLimit) {
+  const std::uint64_t number = *control.take("alice", std::chrono::steady_clock::now());
+  EXPECT_EQ(cell_stop.set_mode(number + 1, Mode::programming).error().code, ErrorCode::leased);
+  queue.run();
+  EXPECT_EQ(winch->limit, std::nullopt);
+  ASSERT_TRUE(cell_stop.set_mode(number, Mode::programming));
+  queue.run();
+  EXPECT_EQ(winch->limit, kReducedSpeed);
+  EXPECT_EQ(cell_stop.set_mode(number + 1, Mode::execution).error().code, ErrorCode::leased);
+  queue.run();
+  EXPECT_EQ(winch->limit, kReducedSpeed);
 }
 
 }  // namespace
