@@ -9,7 +9,8 @@ namespace race::rsm {
 
 /// Each may what those before it may.
 enum class CallEffect : std::uint8_t {
-  none,    // it reads, or only stops (`reads`, `safe`)
+  none,    // it reads (`reads`)
+  stop,    // only stops what is in motion (`safe`)
   change,  // changes something that a run may read or ask next
   pace,    // changes how fast what is in motion already goes on (`paces`)
   motion,  // sets something in motion (`moves`)
@@ -17,7 +18,8 @@ enum class CallEffect : std::uint8_t {
 
 inline CallEffect effect_of(const Operation& operation) {
   if (operation.moves) return operation.paces ? CallEffect::pace : CallEffect::motion;
-  return operation.reads || operation.safe ? CallEffect::none : CallEffect::change;
+  if (operation.safe) return CallEffect::stop;
+  return operation.reads ? CallEffect::none : CallEffect::change;
 }
 
 /// Whether it moves something, or moves it otherwise: the cell lets it through, or not.

@@ -1,6 +1,4 @@
 // Calls of operations by people: of who has the controls, on their connection, and by requests.
-#include <algorithm>
-
 #include "server/control/manual_control.h"
 
 namespace race::server {
@@ -27,7 +25,7 @@ Expected<ManualControl::ByHand> ManualControl::begin_by_hand(std::uint64_t contr
   if (!holder_ || holder_->number != control)
     return unexpected(ErrorCode::leased, "you have not the controls of the cell any more");
   if (is_held && holder_->held.is_held_over(call.service, fence, now))
-    return unexpected(ErrorCode::stopped, "the cell was stopped meanwhile: let the button go first");
+    return unexpected(ErrorCode::stopped, "it was stopped meanwhile: let the button go, and press it again");
   ASSIGN_OR_RETURN(services::Caller caller, wait({Control::caller(control), 0, fence}, std::move(wanted)));
   return ByHand{std::move(caller), holder_->begins(call, is_held, now)};
 }
@@ -55,15 +53,6 @@ void ManualControl::call(Fields& fields, const Message& message) {
   host_.call(begun->caller, call.service, call.operation, call.args, call.kwargs);
 }
 
-Expected<rsm::CallEffect> ManualControl::effect_of(const PersonCall& call) const {
-  const auto service = host_.service(call.service);
-  if (!service || !service->model)
-    return unexpected(ErrorCode::not_found, "there is no service of this key", call.service);
-  const auto& operations = service->model->operations;
-  const auto operation = std::ranges::find(operations, call.operation, &rsm::Operation::name);
-  return operation == operations.end() ? rsm::CallEffect::none : rsm::effect_of(*operation);
-}
-
 // What a run reads or asks next may be changed by that, and so what it moves.
 Expected<void> ManualControl::may_call(const Sender& sender, const PersonCall& call, rsm::CallEffect effect) const {
   if (sender.control != 0) return {};
@@ -79,9 +68,15 @@ Expected<services::Caller> ManualControl::begin_free(Wanted wanted) {
   return wait({std::string(kRequests), 0, 0}, std::move(wanted));
 }
 
+void ManualControl::end_by_hand(const std::string& service) {
+  const MutexLock lock(mutex_);
+  control_.end_by_hand(service, last_call_);
+  if (holder_) holder_->held.end(service);
+}
+
 Expected<void> ManualControl::call_by_request(const Sender& sender, const PersonCall& call,
                                               PersonCalls::Respond respond) {
-  ASSIGN_OR_RETURN(const rsm::CallEffect effect, effect_of(call));
+  ASSIGN_OR_RETURN(const rsm::CallEffect effect, host_.effect_of(call.service, call.operation));
   if (auto may = may_call(sender, call, effect); !may) return tl::unexpected(std::move(may).error());
   const bool changes = effect != rsm::CallEffect::none;
   ByHand begun{{}, changes};
@@ -91,7 +86,9 @@ Expected<void> ManualControl::call_by_request(const Sender& sender, const Person
   } else {
     ASSIGN_OR_RETURN(begun, begin_by_hand(sender.control, call, std::chrono::steady_clock::now(), std::move(wanted)));
   }
-  if (begun.is_new && changes)
+  const bool stops = effect == rsm::CallEffect::stop;
+  if (stops) end_by_hand(call.service);
+  if (changes && (begun.is_new || stops))
     record_(sender.identity, "service call " + call.service + '.' + call.operation, "accepted");
   host_.call(begun.caller, call.service, call.operation, call.args, call.kwargs);
   return {};

@@ -118,6 +118,8 @@ std::optional<Value> Control::refuse(const services::Caller& caller, const std::
   if (is_person(caller.core) && effect == rsm::CallEffect::pace) return std::nullopt;
   if (is_person(caller.core) && mode_ != Mode::programming)
     return error_value(name(ErrorCode::not_accepted), "nothing is moved by hand in execution mode");
+  if (is_person(caller.core) && is_ended_by_hand(service, caller.call))
+    return error_value(name(ErrorCode::stopped), "somebody has stopped `" + service + "` meanwhile; begin it anew");
   const auto [found, is_new] = reservations_.try_emplace(service, Reservation{caller.core, caller.fence});
   Reservation& reservation = found->second;
   const bool is_own = reservation.core == caller.core;
@@ -129,6 +131,11 @@ std::optional<Value> Control::refuse(const services::Caller& caller, const std::
   reservation = {caller.core, caller.fence};  // of a run that moves no more until it is resumed, it is taken over
   if (is_new || !is_own) tell();
   return std::nullopt;
+}
+
+bool Control::is_ended_by_hand(const std::string& service, std::uint64_t call) const {
+  const auto ended = ended_by_hand_.find(service);
+  return ended != ended_by_hand_.end() && call <= ended->second;
 }
 
 std::string Control::whose(const std::string& service, const Reservation& reservation) const {

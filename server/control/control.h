@@ -94,6 +94,10 @@ class Control final : public services::MotionGate {
   /// The fencing number of calls by hand. Error `leased`: they have not the controls.
   Expected<std::uint64_t> fence_of(std::uint64_t number) const EXCLUDES(mutex_);
 
+  /// Of `service`, no call by hand with this number of the call (services::Caller), or an earlier one, moves anything
+  /// any more: somebody has stopped it. Numbers of calls are of one count, whoever has the controls.
+  void end_by_hand(const std::string& service, std::uint64_t call) EXCLUDES(mutex_);
+
   /// Shown to all until it is answered: who asks to take the controls from who has them; nothing: nobody does.
   struct Request {
     std::int64_t id = 0;
@@ -152,6 +156,7 @@ class Control final : public services::MotionGate {
   bool has_reserved(const std::string& core) const REQUIRES(mutex_);
   Expected<void> check_holder(std::uint64_t number) const REQUIRES(mutex_);
   bool is_good(std::uint64_t fence) const REQUIRES(mutex_);
+  bool is_ended_by_hand(const std::string& service, std::uint64_t call) const REQUIRES(mutex_);
   std::string whose(const std::string& service, const Reservation& reservation) const REQUIRES(mutex_);
   Ended end_holder() REQUIRES(mutex_);
 
@@ -165,9 +170,10 @@ class Control final : public services::MotionGate {
   std::uint64_t takings_ GUARDED_BY(mutex_) = 0;
   std::optional<Holder> holder_ GUARDED_BY(mutex_);
   std::optional<Request> request_ GUARDED_BY(mutex_);
-  std::map<std::string, Reservation> reservations_ GUARDED_BY(mutex_);  // by service
-  std::map<std::string, std::uint64_t> moved_ GUARDED_BY(mutex_);       // by service: the fence of its last motion,
-                                                                        // which may go on without its reservation
+  std::map<std::string, Reservation> reservations_ GUARDED_BY(mutex_);     // by service
+  std::map<std::string, std::uint64_t> moved_ GUARDED_BY(mutex_);          // by service: the fence of its last motion,
+                                                                           // which may go on without its reservation
+  std::map<std::string, std::uint64_t> ended_by_hand_ GUARDED_BY(mutex_);  // by service: the last call that is over
   std::map<std::uint16_t, std::uint16_t> stop_ports_ GUARDED_BY(mutex_);
 };
 

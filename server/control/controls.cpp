@@ -72,6 +72,12 @@ Expected<std::uint64_t> Control::fence_of(std::uint64_t number) const {
   return holder_->fence;
 }
 
+void Control::end_by_hand(const std::string& service, std::uint64_t call) {
+  const MutexLock lock(mutex_);
+  std::uint64_t& ended = ended_by_hand_[service];
+  ended = std::max(ended, call);
+}
+
 void Control::show_request(std::optional<Request> request) {
   const MutexLock lock(mutex_);
   if (!request && !request_) return;

@@ -19,6 +19,13 @@ bool HeldOperation::is_held_over(const std::string& service, std::uint64_t fence
   return button.fence != fence;
 }
 
+void HeldOperation::end(const std::string& service) {
+  const auto found = buttons_.find(service);
+  if (found == buttons_.end()) return;
+  found->second.fence = 0;
+  found->second.operation.clear();
+}
+
 bool HeldOperation::begins(const std::string& service, const std::string& operation, Steady now) {
   const bool begins = !goes_on(service, now) || button_of(service).operation != operation;
   Button& button = button_of(service);

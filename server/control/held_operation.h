@@ -24,6 +24,8 @@ class HeldOperation {
   /// given: what ended that permission (a stop, another mode) ended the motion, and whoever resets the stop, the button
   /// moves nothing until it is let go of: until no such call has come for as long as a person may be silent.
   bool is_held_over(const std::string& service, std::uint64_t fence, Steady now);
+  /// Somebody has stopped what `service` moves: a button that is held moves nothing until it is let go of.
+  void end(const std::string& service);
   static constexpr std::size_t kMostServices = 16;  // of more, the one that was called the longest ago is forgotten
 
   /// A call that is let through. Whether it begins a motion, or goes on with one.
@@ -36,7 +38,7 @@ class HeldOperation {
     std::string operation;    // of the last motion
     Steady moved = {};        // when it was let through last
     Steady heard = {};        // when it was called last, let through or not
-    std::uint64_t fence = 0;  // with which it was pressed
+    std::uint64_t fence = 0;  // with which it was pressed; 0, which no call has: ended since
   };
   Button& button_of(const std::string& service);
 

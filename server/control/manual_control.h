@@ -52,7 +52,8 @@ class ManualControl final : public ControlRequests {
     std::uint64_t control = 0;
   };
   /// Calls an operation for a request. `respond` gets the response, or after kResponseTime the error `unavailable`: the
-  /// call is abandoned, and what it began may go on. One that `moves` passes what a call on a connection does. Errors:
+  /// call is abandoned, and what it began may go on. One that `moves` passes what a call on a connection does. One that
+  /// is `safe` ends what a person moves there while they hold a button, which must be pressed anew. Errors:
   /// `not_found`: the service; `leased`: it moves, and they have not the controls, or it changes something, and
   /// somebody else has them; `stopped`, of what is called while a button is held that was held when the cell was; those
   /// of PersonCalls::may_wait().
@@ -115,10 +116,11 @@ class ManualControl final : public ControlRequests {
   Expected<ByHand> begin_by_hand(std::uint64_t control, const PersonCall& call, Steady now, Wanted wanted)
       EXCLUDES(mutex_);
   Expected<services::Caller> begin_free(Wanted wanted) EXCLUDES(mutex_);
+  /// A request stops `service`: what a person holds there ends, and what they have called before moves nothing, also if
+  /// it arrives after the stop.
+  void end_by_hand(const std::string& service) EXCLUDES(mutex_);
   /// The response to this call of a request is late.
   void give_up(const services::Caller& caller) EXCLUDES(mutex_);
-  /// Of the operation that is called. Error `not_found`: the service.
-  Expected<rsm::CallEffect> effect_of(const PersonCall& call) const;
   Expected<void> may_call(const Sender& sender, const PersonCall& call, rsm::CallEffect effect) const;
   void ask(const std::shared_ptr<ControlClient>& client, const std::string& by, Steady now) EXCLUDES(mutex_);
   void give(const std::shared_ptr<ControlClient>& client, const std::string& by, Steady now) EXCLUDES(mutex_);

@@ -331,6 +331,14 @@ bool Host::is_held(const std::string& service, std::string_view operation) const
   return found && found->held;
 }
 
+Expected<rsm::CallEffect> Host::effect_of(const std::string& service, std::string_view operation) const {
+  const MutexLock lock(mutex_);
+  const ServiceEntry* entry = find(service);
+  if (!entry || !entry->ledger) return unexpected(ErrorCode::not_found, "there is no service of this key", service);
+  const rsm::Operation* found = find_operation(entry->model, operation);
+  return found ? rsm::effect_of(*found) : rsm::CallEffect::none;
+}
+
 std::map<std::string, rsm::Service> Host::models() const {
   const MutexLock lock(mutex_);
   std::map<std::string, rsm::Service> all;

@@ -28,7 +28,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/rsm/call_effect.h"
 #include "core/rsm/model.h"
+#include "core/value/expected.h"
 #include "services/clock.h"
 #include "services/component.h"
 #include "services/host/delivery.h"
@@ -124,6 +126,9 @@ class Host {
   std::optional<ServiceStatus> service(const std::string& key) const EXCLUDES(mutex_);
   /// Whether the service has such an operation, which is called while a person holds a button (rsm::Operation::held).
   bool is_held(const std::string& service, std::string_view operation) const EXCLUDES(mutex_);
+  /// Of a call of the operation, by its marks; `none`: the service has no such operation. Error `not_found`: there is
+  /// no such service.
+  Expected<rsm::CallEffect> effect_of(const std::string& service, std::string_view operation) const EXCLUDES(mutex_);
   /// Key -> description, as a Program reads it.
   std::map<std::string, rsm::Service> models() const EXCLUDES(mutex_);
 

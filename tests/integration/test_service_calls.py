@@ -5,7 +5,7 @@ import unittest
 
 from accounts import AccountServer
 from client import PROJECT, Server
-from controls import Controls
+from controls import SILENCE, Controls
 from motions import HOME, Arm
 
 DEMO = str(PROJECT / "deploy/demo")
@@ -128,6 +128,30 @@ class Motions(CallCase):
         self.assertEqual(set(hold(0.7)), {409})
         self.arm.wait(moving=False)
         self.arm.stands_for(0.5)
+
+    def test_a_stop_by_a_request_ends_a_jog_that_a_person_holds(self):
+        person = self.person().programming()
+
+        def hold(seconds):
+            end, codes = time.monotonic() + seconds, []
+            while time.monotonic() < end:
+                codes.append(person.call("robot", "jog", joints=[0.3, 0, 0, 0, 0, 0, 0]).get("error", {}).get("code"))
+                time.sleep(0.05)
+            return codes
+
+        with concurrent.futures.ThreadPoolExecutor(1) as hand:
+            held = hand.submit(hold, 2)
+            self.arm.wait(moving=True)
+            self.assertEqual(self.call("robot", "stop"), {"result": None}, "without the controls")
+            self.arm.wait(moving=False)
+            codes = held.result()
+        self.assertIn("stopped", codes)
+        self.assertEqual(set(codes[:codes.index("stopped")]), {None})
+        self.assertEqual(set(codes[codes.index("stopped"):]), {"stopped"}, "until the button is let go of")
+        self.arm.stands_for(0.5)
+        time.sleep(2 * SILENCE)  # the poses have come meanwhile
+        self.assertEqual(set(hold(0.3)), {None}, "the button was let go of, and pressed again")
+        self.arm.wait(moving=True)
 
 
 class Changes(CallCase):

@@ -38,6 +38,21 @@ TEST_F(ControlTest, ARunReservesAServiceUntilItIsOver) {
   EXPECT_EQ(refusal("2", fence), "");
 }
 
+TEST_F(ControlTest, WhatWasCalledByHandBeforeAServiceWasStoppedMovesNothing) {
+  const std::uint64_t alice = control.take("alice", Control::Steady()).value();
+  ASSERT_TRUE(control.set_mode(alice, Mode::programming));
+  const std::uint64_t fence = control.fence_of(alice).value();
+  const auto code = [&](std::uint64_t call, const char* service = "robot") {
+    const auto refused = control.refuse({Control::caller(alice), call, fence}, service, rsm::CallEffect::motion);
+    return refused ? refused->find("code")->as_string() : "";
+  };
+  control.end_by_hand("robot", 7);
+  control.end_by_hand("robot", 5);
+  EXPECT_EQ(code(7), "stopped");
+  EXPECT_EQ(code(8), "");
+  EXPECT_EQ(code(7, "gripper"), "") << "another service";
+}
+
 TEST_F(ControlTest, NothingMovesWhileItIsStopped) {
   const std::uint64_t fence = control.begin({"1"}).value();
   control.stop({"alice", 5});

@@ -36,6 +36,20 @@ TEST_F(HeldOperationTest, IsHeldOverWhicheverOperationItCalls) {
   EXPECT_TRUE(held_over(2));
 }
 
+TEST_F(HeldOperationTest, ThatSomebodyHasStoppedIsHeldOverUntilItIsLetGoOf) {
+  held.end("robot");
+  EXPECT_FALSE(held_over(2)) << "nothing was held";
+  EXPECT_TRUE(held.begins("robot", "jog", now));
+  held.end("crane");
+  EXPECT_FALSE(held_over(2)) << "another service";
+  held.end("robot");
+  EXPECT_FALSE(held.goes_on("robot", now));
+  for (int i = 0; i < 20; ++i) EXPECT_TRUE(held_over(2)) << "its permission goes on";
+  now += Control::kSilence;
+  EXPECT_FALSE(held_over(2)) << "pressed again";
+  EXPECT_TRUE(held.begins("robot", "jog", now)) << "another motion";
+}
+
 TEST_F(HeldOperationTest, OfAnotherServiceIsAnotherButton) {
   EXPECT_FALSE(held_over(1));
   EXPECT_FALSE(held_over(2, "crane"));

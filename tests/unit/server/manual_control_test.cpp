@@ -46,7 +46,7 @@ struct Arm final : services::Component {
     static const rsm::Service arm =
         rsm::read_service_text(R"({"rsm": 1, "name": "robot", "states": [{"name": "Idle"}], "init": "Idle",
                                    "operations": [{"name": "move"}, {"name": "jog", "held": true},
-                                                  {"name": "guide", "held": true}, {"name": "stop"}]})",
+                                                  {"name": "guide", "held": true}, {"name": "stop", "safe": true}]})",
                                "robot")
             .value();
     return arm;
@@ -215,6 +215,75 @@ TEST_F(ManualControlTest, AButtonThatIsHeldOverAStopIsAnsweredStopped) {
     EXPECT_EQ(ada->codes(), std::vector<std::string>()) << "pressed again";
     std::this_thread::sleep_for(Control::kSilence + 10ms);
   }
+}
+
+TEST_F(ManualControlTest, AStopByARequestEndsWhatIsHeldAndIsARow) {
+  const Identity carol{"carol", Role::cell_operator};
+  const auto stop = [&] {
+    EXPECT_TRUE(manual->call_by_request({carol}, {"robot", "stop"}, [](const Expected<Dict>&) {}));
+    ++calls;  // has a number, too
+  };
+  take(ada);
+  call(ada, "robot", "jog");
+  recorded();
+  ada->heard.clear();
+  stop();
+  EXPECT_THAT(recorded(), ElementsAre("carol service call robot.stop accepted"));
+  for (int i = 0; i < 3; ++i) call(ada, "robot", "jog");
+  EXPECT_EQ(ada->codes(), (std::vector<std::string>{"stopped", "stopped", "stopped"}));
+  std::this_thread::sleep_for(Control::kSilence + 10ms);
+  ada->heard.clear();
+  say(ada, R"({"type": "beat"})");
+  call(ada, "robot", "jog");
+  EXPECT_EQ(ada->codes(), std::vector<std::string>()) << "pressed again";
+  EXPECT_THAT(recorded(), ElementsAre("ada control call robot.jog accepted")) << "another motion";
+}
+
+TEST_F(ManualControlTest, TheirOwnStopAtTheEndOfAJogLetsThemPressAgainAtOnce) {
+  take(ada);
+  call(ada, "robot", "jog");
+  ada->heard.clear();
+  call(ada, "robot", "stop");
+  call(ada, "robot", "jog");
+  EXPECT_EQ(ada->codes(), std::vector<std::string>());
+}
+
+// Keeps what arrives.
+struct Crane final : services::Component {
+  explicit Crane(std::vector<std::string>& its_calls) : calls(its_calls) {}
+  const rsm::Service& model() const override {
+    static const rsm::Service crane =
+        rsm::read_service_text(R"({"rsm": 1, "name": "crane", "states": [{"name": "Idle"}], "init": "Idle",
+                                   "operations": [{"name": "jog", "held": true, "moves": true},
+                                                  {"name": "stop", "safe": true}]})",
+                               "crane")
+            .value();
+    return crane;
+  }
+  void call(const services::Call& call) override { calls.push_back(call.operation); }
+  std::vector<std::string>& calls;
+};
+
+TEST_F(ManualControlTest, AJogThatIsOnItsWayWhenARequestStopsMovesNothingAfterIt) {
+  std::vector<std::string> arrived;
+  services::Host gated(clock, observer, &control);
+  gated.declare("crane", "crane", queue);
+  gated.attach("crane", std::make_unique<Crane>(arrived));
+  ManualControl people(control, gated, *cell_stop, deadlines,
+                       [](const Identity&, const std::string&, const std::string&) {});
+  people.request(ada, R"({"type": "take"})");
+  ASSERT_TRUE(cell_stop->set_mode(control.holder(), Mode::programming));
+  const auto jog = [&] {
+    people.request(ada, R"({"type": "call", "number": 1, "service": "crane", "operation": "jog"})");
+  };
+  jog();
+  queue.run();
+  EXPECT_THAT(arrived, ElementsAre("jog"));
+  jog();
+  ASSERT_TRUE(people.call_by_request({bob->who}, {"crane", "stop"}, [](const Expected<Dict>&) {}));
+  jog();
+  queue.run();
+  EXPECT_THAT(arrived, ElementsAre("jog", "stop")) << "the second was let through before, and has not arrived";
 }
 
 TEST_F(ManualControlTest, AnAccountHasItsShareOfTheCallsByRequestsThatWait) {
