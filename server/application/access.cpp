@@ -26,6 +26,11 @@ Reply behind() {
   return reply;
 }
 
+bool is_by_limit(const Reply& reply) {
+  return reply.status == 429 ||
+         std::ranges::any_of(reply.headers, [](const auto& header) { return header.first == "Retry-After"; });
+}
+
 std::string ticket_of(const Request& request) {
   const auto ticket = request.query.find(kTicket);
   return ticket == request.query.end() ? std::string() : ticket->second;
@@ -74,8 +79,10 @@ bool Access::take(Bucket& bucket, int burst) {
 
 bool Access::has_row(bool brings_token, const Reply& reply) {
   if (reply.is_routine) return false;
-  if (!brings_token || reply.status == 200) return true;
+  if (reply.status < 400) return true;
+  if (is_by_limit(reply)) return false;
   const services::MutexLock lock(mutex_);
+  if (!brings_token) return reply.status >= 500 || take(refusals_, kRefusalRows);
   return reply.status == 401 && take(logins_, kLoginRows);
 }
 
@@ -94,6 +101,10 @@ void Access::record(const Identity& identity, std::string action, std::string ou
 void Access::refused(const Identity& identity, const Error& why) {
   const std::string who = identity.account.empty() ? "a process" : "the process " + quote(identity.account);
   log_(who + " at " + identity.address + " is refused: " + to_string(why));
+  {
+    const services::MutexLock lock(mutex_);
+    if (!take(refusals_, kRefusalRows)) return;
+  }
   record(identity, "process " + why.path, std::string(name(why.code)));
 }
 

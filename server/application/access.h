@@ -33,11 +33,12 @@ class Access final : public ClientRecords {
   Answer audited(const Request& request, const Answer& answer);
   /// Whether the route of this pattern brings a token to who has none: for a password, or a code of a pairing.
   static bool is_login(std::string_view pattern);
-  /// Whoever reaches the server can send logins and stops without an account, as often as they like. These have so many
-  /// rows at once, then one in kRowTime of each: logins whose password or code is wrong, and stops of a cell that is
-  /// stopped already. Logins whose password was not looked at have none. So a stranger needs a month to push out what
-  /// others have done.
-  static constexpr int kLoginRows = 100, kStopRows = 1;
+  /// Whoever reaches the server can send logins and stops without an account, as often as they like, and who has one,
+  /// what is refused. These have so many rows at once, then one in kRowTime of each: logins whose password or code is
+  /// wrong, stops of a cell that is stopped already, and all other refusals. Logins whose password was not looked at
+  /// have none, and neither has what a limit refuses, which says when to try again (429, Retry-After). So nobody pushes
+  /// out what others have done within a month.
+  static constexpr int kLoginRows = 100, kStopRows = 1, kRefusalRows = 100;
   static constexpr std::chrono::seconds kRowTime{60};
   /// A stop of the cell, which the sockets' threads answer without a handler.
   void record_stop(const Identity& identity, const Reply& reply) EXCLUDES(mutex_);
@@ -57,7 +58,7 @@ class Access final : public ClientRecords {
   const PatternOf pattern_of_;
   const Log log_;
   services::Mutex mutex_;
-  Bucket logins_ GUARDED_BY(mutex_), stops_ GUARDED_BY(mutex_);
+  Bucket logins_ GUARDED_BY(mutex_), stops_ GUARDED_BY(mutex_), refusals_ GUARDED_BY(mutex_);
 };
 
 }  // namespace race::server

@@ -10,10 +10,13 @@
 namespace race::server {
 namespace {
 
-// Of an account that has its share: later again.
+// Of who has their share, or all that may wait do: later again.
 Handled call_refused(const Error& error) {
-  if (error.code == ErrorCode::too_large) return refusal(429, "too_many", error.message);
-  return failed(error);
+  const bool is_share = error.code == ErrorCode::too_large;
+  if (!is_share && error.code != ErrorCode::unavailable) return failed(error);
+  Reply reply = is_share ? refusal(429, "too_many", error.message) : refusal({error});
+  reply.headers.emplace_back("Retry-After", "1");
+  return reply;
 }
 
 }  // namespace

@@ -23,12 +23,13 @@ struct AccessTest : testing::Test {
     return admitted ? 0 : admitted.error().status;
   }
   // A request of a stranger, answered with this status.
-  void answered(const char* path, int status) {
+  void answered(const char* path, int status, const char* retry_after = nullptr) {
     Request request;
     request.method = "POST";
     request.path = path;
     Reply reply;
     reply.status = status;
+    if (retry_after) reply.headers.emplace_back("Retry-After", retry_after);
     access.audited(request, Answer([](const Reply&) {}))(reply);
   }
   std::size_t rows() {
@@ -71,6 +72,22 @@ TEST_F(AccessTest, OfLoginsThatFailThereAreFewRows) {
   answered("/api/v1/pair", 200);
   answered("/api/v1/cores", 422);
   EXPECT_EQ(rows(), std::size_t{Access::kLoginRows} + 3) << "and each of what is done";
+}
+
+TEST_F(AccessTest, OfWhatIsRefusedThereAreFewRowsAndNoneOfLimits) {
+  const char* const call = "/api/v1/services/robot/calls";
+  for (int i = 0; i < 1000; ++i) answered(call, 429);
+  EXPECT_EQ(rows(), 0U);
+  for (int i = 0; i < 1000; ++i) answered(call, 503, "1");
+  EXPECT_EQ(rows(), 0U) << "it says when to try again";
+  for (int i = 0; i < 1000; ++i)
+    for (const int status : {403, 409, 422}) answered(call, status);
+  EXPECT_EQ(rows(), std::size_t{Access::kRefusalRows});
+  for (int i = 0; i < 1000; ++i) access.refused({}, {ErrorCode::conflict, "it is there already", "robot"});
+  EXPECT_EQ(rows(), std::size_t{Access::kRefusalRows}) << "nor of processes";
+  answered(call, 200);
+  answered(call, 503);
+  EXPECT_EQ(rows(), std::size_t{Access::kRefusalRows} + 2) << "and each of what is done, or may be";
 }
 
 TEST_F(AccessTest, EachStopThatLatchesIsARowAndOneAMinuteOfTheOthers) {
