@@ -6,9 +6,9 @@ namespace race::server {
 using services::MutexLock;
 
 Expected<services::Caller> ManualControl::wait(services::Caller caller, Wanted wanted) {
-  PersonCalls::Waiting waiting{std::move(wanted.respond), wanted.by_request.value_or("")};
+  PersonCalls::Waiting waiting{std::move(wanted.respond), wanted.place, wanted.by_request.value_or("")};
   PersonCalls& calls = wanted.by_request ? by_request_ : holder_->calls;
-  if (auto may = calls.may_wait(waiting.account); !may)
+  if (auto may = calls.may_wait(waiting.place, waiting.account); !may)
     return wanted.by_request ? tl::unexpected(std::move(may).error())
                              : unexpected(ErrorCode::too_large, may.error().message);
   caller.call = ++last_call_;
@@ -46,7 +46,8 @@ void ManualControl::call(Fields& fields, const Message& message) {
   const std::uint64_t control = number_of(*message.client);
   if (!control_.hear(control, message.now))
     return respond(unexpected(ErrorCode::leased, "take the controls of the cell first"));
-  const auto begun = begin_by_hand(control, call, message.now, {respond});
+  const auto effect = host_.effect_of(call.service, call.operation).value_or(rsm::CallEffect::none);
+  const auto begun = begin_by_hand(control, call, message.now, {respond, PersonCalls::place_of(effect)});
   if (!begun) return respond(tl::unexpected(begun.error()));
   if (begun->is_new)
     record_(message.client->identity(), "control call " + call.service + '.' + call.operation, "accepted");
@@ -80,7 +81,7 @@ Expected<void> ManualControl::call_by_request(const Sender& sender, const Person
   if (auto may = may_call(sender, call, effect); !may) return tl::unexpected(std::move(may).error());
   const bool changes = effect != rsm::CallEffect::none;
   ByHand begun{{}, changes};
-  Wanted wanted{std::move(respond), sender.identity.account};
+  Wanted wanted{std::move(respond), PersonCalls::place_of(effect), sender.identity.account};
   if (sender.control == 0) {
     ASSIGN_OR_RETURN(begun.caller, begin_free(std::move(wanted)));
   } else {

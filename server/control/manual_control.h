@@ -103,6 +103,7 @@ class ManualControl final : public ControlRequests {
   /// Who wants the response to a call: on the connection of who has the controls, or with a request, of this account.
   struct Wanted {
     PersonCalls::Respond respond;
+    PersonCalls::Place place;
     std::optional<std::string> by_request = {};
   };
   /// One that may be made; `is_new`: it is no part of a motion that has begun.

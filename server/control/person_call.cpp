@@ -28,12 +28,18 @@ Dict response_json(const Error& refused) {
   return Dict{{"error", services::error_value(name(refused.code), refused.message)}};
 }
 
-Expected<void> PersonCalls::may_wait(std::string_view account) const {
-  const auto is_of_account = [&](const auto& call) { return call.second.account == account; };
+PersonCalls::Place PersonCalls::place_of(rsm::CallEffect effect) {
+  if (effect == rsm::CallEffect::none) return Place::reads;
+  return effect == rsm::CallEffect::stop ? Place::stops : Place::others;
+}
+
+Expected<void> PersonCalls::may_wait(Place place, std::string_view account) const {
+  const auto is_there = [&](const auto& call) { return call.second.place == place; };
+  const auto is_of_account = [&](const auto& call) { return is_there(call) && call.second.account == account; };
   if (!account.empty() && std::cmp_greater_equal(std::ranges::count_if(calls_, is_of_account), kMostOfAccount))
     return unexpected(ErrorCode::too_large,
                       std::to_string(kMostOfAccount) + " calls of the account wait for their responses");
-  if (calls_.size() >= kMost)
+  if (std::cmp_greater_equal(std::ranges::count_if(calls_, is_there), kMost))
     return unexpected(ErrorCode::unavailable, std::to_string(kMost) + " calls wait for their responses");
   return {};
 }

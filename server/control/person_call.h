@@ -13,6 +13,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/rsm/call_effect.h"
 #include "core/value/expected.h"
 #include "core/value/fields.h"
 #include "core/value/value.h"
@@ -37,21 +38,26 @@ Dict response_json(const services::Delivery& delivery);
 /// The same of a call that was not made.
 Dict response_json(const Error& refused);
 
-/// Calls of which nobody but the waiting one gets the response.
+/// Calls of which nobody but the waiting one gets the response. What reads, what stops, and all else have places of
+/// their own: none of the three keeps out the others.
 class PersonCalls {
  public:
-  static constexpr std::size_t kMost = 16;
-  static constexpr std::size_t kMostOfAccount = 4;  // so that one account does not keep out the others
+  enum class Place : std::uint8_t { reads, stops, others };
+  static Place place_of(rsm::CallEffect effect);
+  static constexpr std::size_t kMost = 16;          // of a place
+  static constexpr std::size_t kMostOfAccount = 4;  // of these, so that one account does not keep out the others
   /// Gets the response, as response_json() has it, or why there is none in time. Under the host's lock: quick.
   using Respond = std::function<void(Expected<Dict> response)>;
 
   struct Waiting {
     Respond respond;
+    Place place = Place::others;
     std::string account = {};     // whose share it has; empty: nobody's, where all calls are those of one person
     Deadlines::Id deadline = {};  // of the response
   };
-  /// Whether one more of the account may wait. Errors: `unavailable`: kMost do; `too_large`: kMostOfAccount of it do.
-  Expected<void> may_wait(std::string_view account) const;
+  /// Whether one more of the account may wait at this place. Errors: `unavailable`: kMost do there; `too_large`:
+  /// kMostOfAccount of it do.
+  Expected<void> may_wait(Place place, std::string_view account) const;
   /// Waits from now on. Requires may_wait() and a number that none has.
   void add(std::uint64_t number, Waiting call) { calls_.emplace(number, std::move(call)); }
   /// Waits no more; nothing: it does not wait.

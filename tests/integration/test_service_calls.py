@@ -170,6 +170,17 @@ class Changes(CallCase):
 
 
 class Shares(unittest.TestCase):
+    def test_what_waits_keeps_out_nothing_that_reads_or_stops(self):
+        with AccountServer("--demo", DEMO) as server, concurrent.futures.ThreadPoolExecutor(4) as clients:
+            wait = ("POST", "/api/v1/services/timer/calls", {"operation": "wait", "args": [3]})
+            waiting = [clients.submit(server.ask, "operator", *wait) for _ in range(4)]
+            timer = lambda: next(each for each in server.get("/services")["services"] if each["key"] == "timer")
+            server.wait_for(lambda: len(timer()["pending"]) == 4)
+            self.assertEqual(server.ask("operator", *wait), 429)
+            for service, operation in (("robot", "state"), ("robot", "stop")):
+                self.assertEqual(server.ask("operator", "POST", f"/api/v1/services/{service}/calls", {"operation": operation}), 200)
+            self.assertEqual([each.result() for each in waiting], [200] * 4)
+
     def test_an_account_does_not_keep_out_the_others(self):
         with AccountServer("--demo", DEMO) as server, concurrent.futures.ThreadPoolExecutor(10) as clients:
             wait = ("POST", "/api/v1/services/timer/calls", {"operation": "wait", "args": [3]})

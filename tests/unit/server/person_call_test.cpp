@@ -28,22 +28,24 @@ TEST(PersonCall, AResponseHas16KiUnitsAtMost) {
   EXPECT_TRUE(response(data.as_string() + "x").starts_with(R"({"error":{"code":"too_large")"));
 }
 
+using enum PersonCalls::Place;
+
 TEST(PersonCalls, SixteenWaitAndEachIsAnsweredOnce) {
   PersonCalls calls;
   int answered = 0;
   const auto respond = [&](const Expected<Dict>&) { ++answered; };
   for (std::uint64_t number = 1; number <= 16; ++number) {
-    ASSERT_TRUE(calls.may_wait(""));
+    ASSERT_TRUE(calls.may_wait(others, ""));
     calls.add(number, {respond});
   }
-  EXPECT_EQ(calls.may_wait("").error().code, ErrorCode::unavailable);
-  EXPECT_EQ(calls.may_wait("ada").error().code, ErrorCode::unavailable);
+  EXPECT_EQ(calls.may_wait(others, "").error().code, ErrorCode::unavailable);
+  EXPECT_EQ(calls.may_wait(others, "ada").error().code, ErrorCode::unavailable);
   const auto seventh = calls.take(7);
   ASSERT_TRUE(seventh);
   seventh->respond({});
   EXPECT_EQ(answered, 1);
   EXPECT_FALSE(calls.take(7));
-  EXPECT_TRUE(calls.may_wait(""));
+  EXPECT_TRUE(calls.may_wait(others, ""));
 }
 
 TEST(PersonCalls, FourOfAnAccountWaitAndKeepOutNoOther) {
@@ -52,16 +54,38 @@ TEST(PersonCalls, FourOfAnAccountWaitAndKeepOutNoOther) {
   std::uint64_t number = 0;
   for (const char* account : {"ada", "bob", "carol", "dave"}) {
     for (int i = 0; i < 4; ++i) {
-      ASSERT_TRUE(calls.may_wait(account)) << account;
-      calls.add(++number, {respond, account});
+      ASSERT_TRUE(calls.may_wait(others, account)) << account;
+      calls.add(++number, {respond, others, account});
     }
-    EXPECT_EQ(calls.may_wait(account).error().code, ErrorCode::too_large);
+    EXPECT_EQ(calls.may_wait(others, account).error().code, ErrorCode::too_large);
   }
-  EXPECT_EQ(calls.may_wait("eve").error().code, ErrorCode::unavailable) << "all have their share";
+  EXPECT_EQ(calls.may_wait(others, "eve").error().code, ErrorCode::unavailable) << "all have their share";
   EXPECT_TRUE(calls.take(3));
-  EXPECT_EQ(calls.may_wait("bob").error().code, ErrorCode::too_large);
-  EXPECT_TRUE(calls.may_wait("ada"));
-  EXPECT_TRUE(calls.may_wait("eve"));
+  EXPECT_EQ(calls.may_wait(others, "bob").error().code, ErrorCode::too_large);
+  EXPECT_TRUE(calls.may_wait(others, "ada"));
+  EXPECT_TRUE(calls.may_wait(others, "eve"));
+}
+
+TEST(PersonCalls, WhatReadsWhatStopsAndAllElseHavePlacesOfTheirOwn) {
+  using rsm::CallEffect;
+  EXPECT_EQ(PersonCalls::place_of(CallEffect::none), reads);
+  EXPECT_EQ(PersonCalls::place_of(CallEffect::stop), stops);
+  for (const auto effect : {CallEffect::change, CallEffect::pace, CallEffect::motion})
+    EXPECT_EQ(PersonCalls::place_of(effect), others);
+  PersonCalls calls;
+  std::uint64_t number = 0;
+  const auto fill = [&](PersonCalls::Place place, std::size_t many, const char* account) {
+    for (std::size_t i = 0; i < many; ++i) {
+      ASSERT_TRUE(calls.may_wait(place, account));
+      calls.add(++number, {[](const Expected<Dict>&) {}, place, account});
+    }
+  };
+  for (const auto place : {reads, others, stops}) {
+    fill(place, PersonCalls::kMostOfAccount, "ada");
+    EXPECT_EQ(calls.may_wait(place, "ada").error().code, ErrorCode::too_large);
+    fill(place, PersonCalls::kMost - PersonCalls::kMostOfAccount, "");
+    EXPECT_EQ(calls.may_wait(place, "").error().code, ErrorCode::unavailable);
+  }
 }
 
 }  // namespace
