@@ -88,7 +88,9 @@ Checked<LiveEdit> Cores::edit_for(const Core& core, const StoredDocument& stored
 Checked<std::shared_ptr<Core>> Cores::create(const StoredDocument& stored, Dict arguments, bool live) {
   auto header = header_of(stored, std::move(arguments));
   if (!header) return tl::unexpected(std::move(header).error());
-  if (auto reserved = reserve_place(); !reserved) return one(std::move(reserved).error());
+  const auto reserved = reserve_place();
+  if (!reserved) return one(reserved.error());
+  if (*reserved) resources_.watcher.core_removed((*reserved)->id());
   auto core = create_run(stored, std::move(*header), live);
   if (core) add(*core);
   const services::MutexLock lock(mutex_);
@@ -97,13 +99,27 @@ Checked<std::shared_ptr<Core>> Cores::create(const StoredDocument& stored, Dict 
   return *core;
 }
 
-Expected<void> Cores::reserve_place() {
+Expected<std::shared_ptr<Core>> Cores::reserve_place() {
   const services::MutexLock lock(mutex_);
   if (restoring_) return unexpected(ErrorCode::conflict, "a backup is being restored");
+  std::shared_ptr<Core> over;
+  if (cores_.size() + coming_ >= kMost) over = take_oldest_over();
   if (cores_.size() + coming_ >= kMost)
-    return unexpected(ErrorCode::conflict, "there are " + std::to_string(kMost) + " cores already; delete one");
+    return unexpected(ErrorCode::conflict,
+                      "there are " + std::to_string(kMost) + " cores already, and no run of them is over; delete one");
   ++coming_;
-  return {};
+  return over;
+}
+
+// Its run is stored: all that is shown of a run is durable.
+std::shared_ptr<Core> Cores::take_oldest_over() {
+  const services::MutexLock changing(changing_->mutex);
+  for (const auto& [number, core] : cores_) {
+    if (changing_->ids.contains(number) || !is_over(core->info())) continue;
+    core->close();
+    return cores_.extract(number).mapped();
+  }
+  return nullptr;
 }
 
 Expected<std::shared_ptr<Core>> Cores::create_run(const StoredDocument& stored, execution::JournalHeader header,

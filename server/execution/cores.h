@@ -30,7 +30,9 @@ class Cores {
 
   /// A core of a document in a revision that waits to be started; its run is stored. Does not wait for any core.
   /// `live`: it follows its document. Errors: violations of the program (with `type` for a service of another type than
-  /// the document expects), an argument that does not fit, `conflict`: there are kMost cores already; `storage`.
+  /// the document expects), an argument that does not fit, `conflict`: there are kMost cores already, and no run of
+  /// them is over; `storage`. In place of a refusal the oldest core whose run is over is removed: its run stays in the
+  /// store.
   Checked<std::shared_ptr<Core>> create(const StoredDocument& stored, Dict arguments, bool live = false);
   /// Another model, or the same with other arguments, in a core that has not begun. Nothing in `live`: it follows its
   /// document if it did before. Errors: as create(); `conflict`: it has, or it is being loaded or removed; `not_found`.
@@ -72,7 +74,10 @@ class Cores {
   /// 0 of what is no id.
   static RunId number_of(const std::string& id);
   Checked<execution::JournalHeader> header_of(const StoredDocument& stored, Dict arguments) const;
-  Expected<void> reserve_place() EXCLUDES(mutex_);
+  /// For a core that is being created. The core that has made way for it, if one had to.
+  Expected<std::shared_ptr<Core>> reserve_place() EXCLUDES(mutex_);
+  /// Of those whose runs are over, the first that was created; it is a core no more. Nothing: there is none.
+  std::shared_ptr<Core> take_oldest_over() REQUIRES(mutex_);
   Expected<std::shared_ptr<Core>> create_run(const StoredDocument& stored, execution::JournalHeader header, bool live);
   void add(const std::shared_ptr<Core>& core) EXCLUDES(mutex_);
 

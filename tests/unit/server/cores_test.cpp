@@ -66,6 +66,26 @@ TEST_F(CoresTest, ARemovedCoreIsReportedAndCannotBeFound) {
   EXPECT_EQ(cores.remove(id).error().code, ErrorCode::not_found);
 }
 
+TEST_F(CoresTest, WhereThereAre128TheOldestThatIsOverMakesWay) {
+  const auto document = rcm::read_document_text(R"({"rcm": 1, "root": {"state": "R"}})").value();
+  const auto create = [&] { return cores.create({"r", 1, document}, {}); };
+  std::vector<std::string> ids;
+  for (std::size_t i = 0; i < Cores::kMost; ++i) ids.push_back(create().value()->id());
+  EXPECT_EQ(create().error().front().code, ErrorCode::conflict) << "none has begun, so none is over";
+  for (const std::size_t i : {90U, 40U}) {
+    ASSERT_TRUE(cores.find(ids[i]).value()->start());
+    ASSERT_TRUE(cores.find(ids[i]).value()->stop());
+  }
+  EXPECT_TRUE(create());
+  EXPECT_EQ(removed, std::vector{ids[40]});
+  EXPECT_EQ(cores.find(ids[40]).error().code, ErrorCode::not_found);
+  EXPECT_EQ(store.runs->get(std::stoll(ids[40]))->status, "aborted") << "its run stays";
+  EXPECT_TRUE(create());
+  EXPECT_EQ(removed, (std::vector{ids[40], ids[90]}));
+  EXPECT_EQ(create().error().front().code, ErrorCode::conflict);
+  EXPECT_EQ(cores.all().size(), Cores::kMost);
+}
+
 TEST_F(CoresTest, AModelThatIsLoadedTakesThePlaceOfOneThatHasNotBegun) {
   const auto first =
       rcm::read_document_text(R"({"rcm": 1, "root": {"state": "R", "parameters": [{"name": "n"}]}})").value();
