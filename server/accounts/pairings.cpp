@@ -26,7 +26,11 @@ std::optional<Pairings::Full> Pairings::full(std::string_view account, Time now)
 tl::expected<std::string, Pairings::Full> Pairings::issue(Pairing pairing, Time now) {
   std::string code = make_code();
   const services::MutexLock lock(mutex_);
-  std::erase_if(pairings_, [&](const auto& entry) { return entry.second.until <= now; });
+  const auto is_of_login = [&](const Identity& by) {
+    return by.account == pairing.by.account && by.token == pairing.by.token;
+  };
+  std::erase_if(pairings_,
+                [&](const auto& entry) { return entry.second.until <= now || is_of_login(entry.second.pairing.by); });
   if (const auto too_many = full(pairing.by.account, now)) return tl::unexpected(*too_many);
   pairings_.emplace(digest_of_secret(code), Entry{std::move(pairing), now + kLife});
   return code;

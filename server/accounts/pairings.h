@@ -1,5 +1,6 @@
 // Pairings: a person who has logged in lets a phone in beside them, as a display: the phone reads a code from their
-// page, and gets a token of their account for it, which may less (TokenScope). A code is used once and soon.
+// page, and gets a token of their account for it, which may less (TokenScope). A code is used once and soon, and a
+// login has one at a time.
 //
 // Threads: any.
 #pragma once
@@ -40,7 +41,8 @@ class Pairings {
     bool of_account = false;
     std::chrono::milliseconds wait{};  // until the first of them is too old
   };
-  /// A new code.
+  /// A new code, in place of the one that the same login (Identity::token) had made: a page that is loaded again uses
+  /// up no more than one.
   tl::expected<std::string, Full> issue(Pairing pairing, Time now) EXCLUDES(mutex_);
   /// Takes the code back. Nothing: there is none, it was used, or is too old. Each takes as long: a code is looked for
   /// by its digest.
