@@ -73,7 +73,7 @@ class Cell {
   /// start_values() the only ones of the database, which comes first. What waits for an answer of robot or gripper is
   /// answered `unavailable`. Gives what hands hold then to `done`; from any thread, as execute(). A core that executes
   /// would not expect it: its caller knows of none. Errors: `conflict`, the world or the database is a process of its
-  /// own; those of execute() and of the database.
+  /// own, or another reset is not done yet; those of execute() and of the database.
   void reset(bool with_database, Deadlines& deadlines, Done<Value> done);
   /// Called at the beginning of each step(), on the group's thread. To be set before the first step.
   void before_step(std::function<void()> work) { before_step_ = std::move(work); }
@@ -106,6 +106,8 @@ class Cell {
   Expected<void> add_remotes(const CellSetup& setup);
   Expected<void> add_world(const std::string& scene_path, std::uint64_t seed);
   Expected<void> check_resettable(bool with_database) const;
+  class Reset;
+  Expected<std::shared_ptr<Reset>> begin_reset();
   Expected<Value> reset_world();
   Expected<std::unique_ptr<services::Component>> make_robot();
   std::unique_ptr<services::Component> make_gripper();
@@ -123,6 +125,7 @@ class Cell {
   database::Database* database_ = nullptr;                                 // the host's, if it is in this process
   Dict start_values_;                                                      // of it
   PendingCommands pending_commands_;
+  const std::shared_ptr<std::atomic<bool>> resetting_ = std::make_shared<std::atomic<bool>>(false);  // held by a reset
   services::Host host_;
   std::unique_ptr<remote::Remotes> remotes_;
   std::int64_t steps_ = 0;

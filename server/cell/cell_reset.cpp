@@ -7,20 +7,50 @@
 
 namespace race::server {
 
+// While it lives and has not ended, no other reset begins: also where who asked for it was told that it is late.
+class Cell::Reset {
+ public:
+  explicit Reset(std::shared_ptr<std::atomic<bool>> under_way) : under_way_(std::move(under_way)) {}
+  Reset(const Reset&) = delete;
+  ~Reset() { end(); }
+  /// Before who asked is answered: the next may begin then.
+  void end() {
+    if (!std::exchange(ended_, true)) *under_way_ = false;
+  }
+
+ private:
+  const std::shared_ptr<std::atomic<bool>> under_way_;
+  bool ended_ = false;
+};
+
+Expected<std::shared_ptr<Cell::Reset>> Cell::begin_reset() {
+  if (resetting_->exchange(true))
+    return unexpected(ErrorCode::conflict, "the cell is being reset already: wait until that is done");
+  return std::make_shared<Reset>(resetting_);
+}
+
 void Cell::reset(bool with_database, Deadlines& deadlines, Done<Value> done) {
   if (auto here = check_resettable(with_database); !here) return done(tl::unexpected(std::move(here).error()));
+  const auto begun = begin_reset();
+  if (!begun) return done(tl::unexpected(begun.error()));
   const auto start = [&](const CellWorld::Wanted& wanted, const CellWorld::Done& executed) {
-    const auto reset_rest = [this, executed] { executed(reset_world()); };
+    const auto reset_rest = [this, executed, reset = *begun] {
+      auto result = reset_world();
+      reset->end();
+      executed(std::move(result));
+    };
     if (!with_database) {
       const auto work = [wanted, reset_rest] {
         if (wanted()) reset_rest();
       };
       return queue_.post(work, kPersonLane);
     }
-    const auto work = [this, wanted, executed, reset_rest] {
+    const auto work = [this, wanted, executed, reset_rest, reset = *begun] {
       if (!wanted()) return;
-      if (auto reset = database_->reset(start_values_); !reset)
-        return executed(tl::unexpected(std::move(reset).error()));
+      if (auto values = database_->reset(start_values_); !values) {
+        reset->end();
+        return executed(tl::unexpected(std::move(values).error()));
+      }
       queue_.post(reset_rest, kPersonLane);
     };
     database_queue().post(work, kPersonLane);

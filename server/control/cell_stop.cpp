@@ -33,10 +33,11 @@ bool CellStop::stop(const std::string& by, std::int64_t now) {
   return true;
 }
 
-void CellStop::reset(const std::string& by) {
-  control_.reset();
+bool CellStop::reset(const std::string& by) {
+  if (!control_.reset()) return false;
   write_stop();
   pool_.post([this, by] { log_("reset by " + by); });
+  return true;
 }
 
 void CellStop::halt(const Control::Ended& ended, const std::string& why) {

@@ -34,8 +34,8 @@ class CellStop {
 
   /// `by`: who stops it, as people read it; `now`: ms since 1970. Whether it was not stopped before.
   bool stop(const std::string& by, std::int64_t now);
-  /// Motions may begin again, when a person begins one.
-  void reset(const std::string& by);
+  /// Motions may begin again, when a person begins one. Whether it was stopped: else nothing is done.
+  bool reset(const std::string& by);
   /// What moved by a permission that has ended stops: its runs take nothing more that comes, then the safe operations
   /// of its services are called. The runs are paused, and go on when a person wants that. `why`: for the log, if
   /// anything stops.

@@ -18,13 +18,14 @@ bool Control::stop(Stop stop) {
   return true;
 }
 
-void Control::reset() {
+bool Control::reset() {
   const MutexLock lock(mutex_);
-  if (!stopped_) return;
+  if (!stopped_) return false;
   stopped_.reset();
   if (holder_)
     holder_->fence = ++last_fence_;  // a button that was pressed while it was stopped is to be let go of first
   tell();
+  return true;
 }
 
 std::optional<Control::Stop> Control::stopped() const {

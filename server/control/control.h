@@ -69,8 +69,8 @@ class Control final : public services::MotionGate {
   /// From now on nothing may set the cell in motion. Of several stops the first is told. The fencing numbers of before
   /// are good no longer, also after the reset. Whether it was not stopped before.
   bool stop(Stop stop) EXCLUDES(mutex_);
-  /// Motions may begin again; none does by that.
-  void reset() EXCLUDES(mutex_);
+  /// Motions may begin again; none does by that. Whether it was stopped.
+  bool reset() EXCLUDES(mutex_);
   std::optional<Stop> stopped() const EXCLUDES(mutex_);
   /// The port of the stop server, for pages, by the port of the place at which they are.
   void set_stop_port(std::uint16_t place, std::uint16_t port) EXCLUDES(mutex_);

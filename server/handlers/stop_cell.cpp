@@ -15,8 +15,10 @@ Handled stop_cell(const Request& request, CellStop& cell_stop, Control& control)
 }
 
 Handled reset_stop(const Request& request, CellStop& cell_stop, Control& control) {
-  cell_stop.reset(name_for_people(request.identity));
-  return ok(control.json());
+  const bool resets = cell_stop.reset(name_for_people(request.identity));
+  Reply reply = ok(control.json());
+  reply.is_routine = !resets;
+  return reply;
 }
 
 // Who is not known learns that the cell is stopped and where a stop is served, and no names.

@@ -1,6 +1,8 @@
 // The demo cell is as it was at the start after a reset, and nothing of before goes on in it.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "core/value/json.h"
 #include "server/cell/cell.h"
 
@@ -55,6 +57,22 @@ struct CellReset : testing::Test {
  private:
   std::uint64_t calls_ = 0;
 };
+
+TEST_F(CellReset, ThatIsAskedForAgainBeforeItIsDoneIsOne) {
+  for (const bool with_database : {true, false}) {
+    std::vector<std::string> answers;
+    for (int i = 0; i < 3; ++i)
+      cell->reset(with_database, deadlines, [&](const Expected<Value>& answer) {
+        answers.emplace_back(answer ? "reset" : name(answer.error().code));
+      });
+    EXPECT_THAT(answers, testing::ElementsAre("conflict", "conflict")) << "at once";
+    while (cell->work()) {
+    }
+    EXPECT_THAT(answers, testing::ElementsAre("conflict", "conflict", "reset"));
+    EXPECT_TRUE(reset(with_database)) << "the next is another one";
+  }
+  EXPECT_EQ(std::ranges::count(observer.lines, "robot: begins anew: the cell was reset"), 4);
+}
 
 TEST_F(CellReset, EndsAMotionAndPutsEverythingBack) {
   Responses other_observer;

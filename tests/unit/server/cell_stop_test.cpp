@@ -51,9 +51,13 @@ struct CellStopTest : RunningCores {
   services::WorkQueue queue;
   Winch* winch = nullptr;
   TemporaryFolder folder;
+  std::vector<std::string> lines;  // of the log: of one thread, until the end
   Control control{[](const Value&) {}};
-  CellStop cell_stop{
-      control, host, cores, {StopMark(folder.file("stopped")), ModeMark(folder.file("mode"))}, [](auto&) {}};
+  CellStop cell_stop{control,
+                     host,
+                     cores,
+                     {StopMark(folder.file("stopped")), ModeMark(folder.file("mode"))},
+                     [this](const std::string& line) { lines.push_back(line); }};
 };
 
 TEST_F(CellStopTest, ASecondPressCallsAgainWhateverTheClockOfTheMachineSays) {
@@ -62,6 +66,15 @@ TEST_F(CellStopTest, ASecondPressCallsAgainWhateverTheClockOfTheMachineSays) {
   cell_stop.stop("alice", 5);  // the clock was set back meanwhile
   queue.run();
   EXPECT_THAT(winch->calls, ElementsAre("brake", "brake"));
+}
+
+TEST_F(CellStopTest, AResetOfACellThatIsNotStoppedIsNone) {
+  EXPECT_FALSE(cell_stop.reset("alice"));
+  cell_stop.stop("alice", 1);
+  EXPECT_TRUE(cell_stop.reset("alice"));
+  EXPECT_FALSE(cell_stop.reset("bob")) << "asked for again";
+  cell_stop.end();
+  EXPECT_EQ(lines, (std::vector<std::string>{"stopped by alice", "reset by alice"}));
 }
 
 TEST_F(CellStopTest, AFloodOfPressesCallsOnce) {
