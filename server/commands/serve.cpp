@@ -22,6 +22,7 @@
 #include "server/log/line_log.h"
 #include "server/tls/authority.h"
 #include "server/tls/network_names.h"
+#include "server/tls/renewal.h"
 #include "server/wire/calendar.h"
 #include "server/wire/version.h"
 
@@ -86,6 +87,12 @@ Application::Setup setup_of(const Settings& settings) {
   return setup;
 }
 
+std::int64_t now_s() { return now_ms() / 1000; }
+
+Expected<Authority> authority_of(const Settings& settings) {
+  return Authority::open(fs::path(settings.data) / "tls", now_s());
+}
+
 // The network, with a certificate for this machine as it is known there. Errors: `not_accepted` (there is no account),
 // `not_found` (the machine is in no private network), those of Authority.
 Expected<HttpServer::Place> network_place(const Settings& settings, Application& app) {
@@ -95,9 +102,8 @@ Expected<HttpServer::Place> network_place(const Settings& settings, Application&
         "a server in a network needs accounts: race account add NAME --role admin --data " + settings.data, "--lan");
   const std::vector<std::string> names = network_names();
   if (names.empty()) return unexpected(ErrorCode::not_found, "this machine is in no private network", "--lan");
-  const std::int64_t now = now_ms() / 1000;
-  ASSIGN_OR_RETURN(const Authority authority, Authority::open(fs::path(settings.data) / "tls", now));
-  ASSIGN_OR_RETURN(ServerCertificate certificate, authority.certificate_for(names, now));
+  ASSIGN_OR_RETURN(const Authority authority, authority_of(settings));
+  ASSIGN_OR_RETURN(ServerCertificate certificate, authority.certificate_for(names, now_s()));
   app.set_authority(authority.certificate(), authority.fingerprint());
   return HttpServer::Place{"::", static_cast<std::uint16_t>(settings.lan_port),
                            HttpServer::Place::Tls{names, std::move(certificate.chain), std::move(certificate.key)},
@@ -126,6 +132,19 @@ void tell_network(std::vector<std::string> urls, Application& app, LineLog& log)
   for (const std::string& url : urls) log.write(LogLevel::info, "server", "serves the network at " + url);
   app.set_addresses(std::move(urls));
   log.write(LogLevel::info, "server", "its authority, by SHA-256: " + app.authority_fingerprint());
+}
+
+// Of the network, while it is served.
+Expected<std::unique_ptr<CertificateRenewal>> begin_renewal(const Settings& settings, const HttpServer::Place::Tls& tls,
+                                                            HttpServer& server, LineLog& log) {
+  ASSIGN_OR_RETURN(Authority authority, authority_of(settings));
+  const auto renewed = [&server, &log](const Expected<ServerCertificate>& made) {
+    const auto served = made ? server.set_certificate(1, made->chain, made->key) : tl::unexpected(made.error());
+    if (served) return log.write(LogLevel::info, "server", "its certificate was renewed");
+    log.write(LogLevel::error, "server", "its certificate cannot be renewed: " + to_string(served.error()));
+  };
+  return std::make_unique<CertificateRenewal>(CertificateRenewal::Subject{std::move(authority), tls.names, tls.chain},
+                                              CertificateRenewal::Times{now_s}, renewed);
 }
 
 // The sockets have ended: the rest has this long. What the disk keeps for longer is as after a crash.
@@ -172,11 +191,19 @@ int serve(Options& options, const Arguments& arguments) {
   std::fflush(stdout);
   log.write(LogLevel::info, "server",
             "race " + std::string(version()) + " listens on " + address + ", data in " + settings.data);
-  if (places->size() > 1) tell_network(urls_of(*places->back().tls, (*server)->port(1)), **app, log);
+  std::unique_ptr<CertificateRenewal> renewal;
+  if (places->size() > 1) {
+    const HttpServer::Place::Tls& tls = *places->back().tls;
+    tell_network(urls_of(tls, (*server)->port(1)), **app, log);
+    auto begun = begin_renewal(settings, tls, **server, log);
+    if (!begun) return refuse(begun.error());
+    renewal = std::move(*begun);
+  }
   notify_manager("READY=1");
   (*server)->run();
   notify_manager("STOPPING=1");
   end_in_time();
+  renewal.reset();
   (*app)->stop_replays();
   log.write(LogLevel::info, "server", "ends");
   return kExitOk;

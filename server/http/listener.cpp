@@ -190,6 +190,14 @@ Expected<std::unique_ptr<HttpServer>> HttpServer::listen(const std::vector<Place
 std::uint16_t HttpServer::port(std::size_t place) const { return sockets_->places.at(place)->port; }
 std::uint16_t HttpServer::stop_port(std::size_t place) const { return sockets_->places.at(place)->stop_port; }
 
+Expected<void> HttpServer::set_certificate(std::size_t place, const std::string& chain, const std::string& key) {
+  auto tls = make_tls(chain, key);
+  if (!tls) return unexpected(ErrorCode::not_accepted, "the certificate is not of its key");
+  sockets_->stop_server.set_certificate(place, tls);
+  asio::post(sockets_->io, [&endpoint = sockets_->places.at(place)->endpoint, tls] { endpoint.tls = tls; });
+  return {};
+}
+
 void HttpServer::run() {
   services::shorten_time_slice();
   sockets_->stop_server.begin();

@@ -93,6 +93,9 @@ class HttpServer {
   /// Of the place of this number, from 0.
   std::uint16_t port(std::size_t place = 0) const;
   std::uint16_t stop_port(std::size_t place = 0) const;
+  /// Who connects to this place, or to its stop server, from now on gets this certificate; who is connected stays. Any
+  /// thread. Error `not_accepted`: it is none, or not of its key; the one of before stays.
+  Expected<void> set_certificate(std::size_t place, const std::string& chain, const std::string& key);
   /// For all that moves to stand when the server ends.
   static constexpr std::chrono::milliseconds kStandTimeout{3'000};
   /// Serves until SIGINT, SIGTERM or stop(). Then nobody connects any more, and the backend ends what is under way

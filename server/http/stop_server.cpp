@@ -136,6 +136,10 @@ Expected<std::uint16_t> StopServer::open(const std::string& address, std::uint16
   return own;
 }
 
+void StopServer::set_certificate(std::size_t place, std::shared_ptr<asio::ssl::context> tls) {
+  asio::post(sockets_->io, [&place = *sockets_->places.at(place), tls = std::move(tls)] { place.tls = tls; });
+}
+
 void StopServer::begin() {
   for (const auto& place : sockets_->places) asio::co_spawn(sockets_->io, sockets_->accept(*place), asio::detached);
   sockets_->thread = std::thread([sockets = sockets_.get()] {

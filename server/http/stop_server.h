@@ -34,6 +34,9 @@ class StopServer {
   Expected<std::uint16_t> open(const std::string& address, std::uint16_t port,
                                std::shared_ptr<boost::asio::ssl::context> tls,
                                const std::function<StopNames(std::uint16_t port)>& names);
+  /// Who connects to the place of this number, in the order of open(), from now on gets the certificate of `tls`. Any
+  /// thread.
+  void set_certificate(std::size_t place, std::shared_ptr<boost::asio::ssl::context> tls);
   /// Serves from now on, on its own thread.
   void begin();
 

@@ -6,13 +6,18 @@
 #include <openssl/x509_vfy.h>
 #include <openssl/x509v3.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <atomic>
 #include <cctype>
+#include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <memory>
+#include <thread>
 
 #include "server/tls/network_names.h"
+#include "server/tls/renewal.h"
 #include "tests/unit/temporary_folder.h"
 
 namespace race::server {
@@ -148,6 +153,52 @@ TEST_F(AuthorityTest, ACertificateIsKeptUntilItDoesNotFitOrIsOld) {
   EXPECT_TRUE(is_trusted(renewed, authority.certificate(), names[0], kBegin + 700 * kDay));
   EXPECT_FALSE(is_trusted(renewed, authority.certificate(), names[0], kBegin + 800 * kDay));
   EXPECT_NE(authority.certificate_for({"10.9.9.9"}, kBegin + 370 * kDay)->chain, renewed.chain) << "for another name";
+}
+
+TEST_F(AuthorityTest, ACertificateIsRenewedWhileTheServerRunsAndTheAuthorityStays) {
+  const Authority authority = open();
+  const ServerCertificate first = authority.certificate_for(names, kBegin).value();
+  std::atomic<std::int64_t> now{kBegin};
+  services::Mutex mutex;
+  std::vector<ServerCertificate> told;
+  std::size_t failed = 0;
+  const auto wait_for = [&](auto&& is_so) {
+    for (;; std::this_thread::sleep_for(std::chrono::milliseconds(1))) {
+      const services::MutexLock lock(mutex);
+      if (is_so()) return;
+    }
+  };
+  std::atomic<int> looks{0};
+  const CertificateRenewal renewal({open(), names, first.chain},
+                                   {[&] {
+                                      ++looks;
+                                      return now.load();
+                                    },
+                                    std::chrono::milliseconds(1)},
+                                   [&](const Expected<ServerCertificate>& made) {
+                                     const services::MutexLock lock(mutex);
+                                     made ? told.push_back(*made) : void(++failed);
+                                   });
+  wait_for([&] { return looks > 3; });
+  EXPECT_TRUE(told.empty()) << "it is good";
+  now = kBegin + 368 * kDay;
+  wait_for([&] { return !told.empty(); });
+  const int then = looks;
+  wait_for([&] { return looks > then + 3; });
+  EXPECT_EQ(told.size(), 1U) << "once";
+  EXPECT_NE(told[0].chain, first.chain);
+  EXPECT_TRUE(is_trusted(told[0], authority.certificate(), names[0], kBegin + 400 * kDay));
+  EXPECT_FALSE(is_trusted(first, authority.certificate(), names[0], kBegin + 400 * kDay));
+  ASSERT_EQ(::chmod(place.path.c_str(), 0500), 0);
+  ASSERT_EQ(::chmod(place.file("tls").c_str(), 0500), 0);
+  if (::geteuid() != 0) {  // whom no permission keeps out
+    now = kBegin + 740 * kDay;
+    wait_for([&] { return failed > 2; });
+  }
+  ASSERT_EQ(::chmod(place.path.c_str(), 0700), 0);
+  ASSERT_EQ(::chmod(place.file("tls").c_str(), 0700), 0);
+  now = kBegin + 740 * kDay;
+  wait_for([&] { return told.size() == 2; });
 }
 
 TEST_F(AuthorityTest, KeysAreForTheirOwnerAlone) {

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <netinet/tcp.h>
+#include <openssl/pem.h>
+#include <openssl/ssl.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -15,8 +17,10 @@
 #include <thread>
 
 #include "server/http/refusal.h"
+#include "server/tls/authority.h"
 #include "services/failures.h"
 #include "tests/unit/server/bench.h"
+#include "tests/unit/temporary_folder.h"
 
 namespace race::server {
 namespace {
@@ -474,6 +478,49 @@ TEST_F(ListenerTest, EndsWhileAnswersAreAwaited) {
   EXPECT_TRUE(client->is_closed());
   const services::MutexLock lock(mutex);
   later.front()(Reply());  // reaches nobody
+}
+
+// The certificates that a client gets which connects there, as PEM.
+std::string chain_at(std::uint16_t port) {
+  SSL_CTX* context = SSL_CTX_new(TLS_client_method());
+  BIO* connection = BIO_new_ssl_connect(context);
+  BIO_set_conn_hostname(connection, ("127.0.0.1:" + std::to_string(port)).c_str());
+  SSL* tls = nullptr;
+  BIO_get_ssl(connection, &tls);
+  std::string chain;
+  if (BIO_do_connect(connection) == 1 && BIO_do_handshake(connection) == 1) {
+    BIO* text = BIO_new(BIO_s_mem());
+    STACK_OF(X509)* certificates = SSL_get_peer_cert_chain(tls);
+    for (int i = 0; i < sk_X509_num(certificates); ++i) PEM_write_bio_X509(text, sk_X509_value(certificates, i));
+    char* data = nullptr;
+    const auto size = BIO_get_mem_data(text, &data);
+    chain.assign(data, static_cast<std::size_t>(size));
+    BIO_free(text);
+  }
+  BIO_free_all(connection);
+  SSL_CTX_free(context);
+  return chain;
+}
+
+TEST_F(ListenerTest, ANewCertificateIsServedFromThenOn) {
+  const TemporaryFolder place;
+  const Authority authority = Authority::open(place.file("tls"), 1'800'000'000).value();
+  const auto certificate = [&](std::int64_t now) { return authority.certificate_for({"127.0.0.1"}, now).value(); };
+  const ServerCertificate first = certificate(1'800'000'000), second = certificate(1'900'000'000);
+  ASSERT_NE(first.chain, second.chain);
+  server =
+      HttpServer::listen(
+          std::vector<HttpServer::Place>{{.tls = HttpServer::Place::Tls{{"127.0.0.1"}, first.chain, first.key}}}, "",
+          {admit_all, [](const Request& request, const Answer& give) { give(answer(request)); }, [] { return Reply(); },
+           [](const Identity&) { return Reply(); }, hub, displays, edits, presence, control, records, remotes, clients},
+          HttpServer::Limits())
+          .value();
+  thread = std::thread([this] { server->run(); });
+  for (const std::uint16_t port : {server->port(), server->stop_port()}) EXPECT_EQ(chain_at(port), first.chain);
+  EXPECT_EQ(server->set_certificate(0, second.chain, first.key).error().code, ErrorCode::not_accepted);
+  for (const std::uint16_t port : {server->port(), server->stop_port()}) EXPECT_EQ(chain_at(port), first.chain);
+  ASSERT_TRUE(server->set_certificate(0, second.chain, second.key));
+  for (const std::uint16_t port : {server->port(), server->stop_port()}) EXPECT_EQ(chain_at(port), second.chain);
 }
 
 TEST(Limits, AreHalfAMinuteToArriveTwoBetweenRequestsAndTenSecondsForAMiB) {
