@@ -22,7 +22,7 @@ bool can_stop(const ServiceStatus& service) {
 }
 
 // A call of an operation that sets something in motion is not answered yet.
-bool is_moving(const ServiceStatus& service) {
+bool awaits_motion(const ServiceStatus& service) {
   return std::ranges::any_of(service.pending, [&](const services::PendingCall& call) {
     return std::ranges::any_of(service.model->operations, [&](const rsm::Operation& operation) {
       return operation.moves && operation.name == call.operation;
@@ -38,12 +38,16 @@ void MotionEnd::begin_end(services::Host& host, Cores& cores, std::function<void
   pool_.post([this, &host, &cores, done = std::move(done)] {
     services::run_reporting("the end of the cell", [&] {
       cores.close();
-      const bool moves = std::ranges::any_of(host.services(), is_moving);
+      const bool moves = is_moving(host);
       host.call_safe();
       await_stand(host, moves);
     });
     done();
   });
+}
+
+bool MotionEnd::is_moving(const services::Host& host) const {
+  return steady_clock::now() < last_motion_.load() + kLastMotion || std::ranges::any_of(host.services(), awaits_motion);
 }
 
 void MotionEnd::finish() {
@@ -72,7 +76,9 @@ Expected<std::uint64_t> MotionEnd::begin(const services::Beginning& run) {
 std::optional<Value> MotionEnd::refuse(const services::Caller& caller, const std::string& service,
                                        rsm::CallEffect effect) {
   if (ended_) return Value(Dict{{"code", name(ErrorCode::stopped)}, {"message", kEnds}});
-  return gate_.refuse(caller, service, effect);
+  auto refused = gate_.refuse(caller, service, effect);
+  if (!refused && effect == rsm::CallEffect::motion) last_motion_ = steady_clock::now();
+  return refused;
 }
 
 }  // namespace race::server

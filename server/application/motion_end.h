@@ -9,6 +9,8 @@
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <optional>
+#include <string>
 
 #include "server/threads/strand.h"
 #include "services/host/motion_gate.h"
@@ -26,6 +28,9 @@ class MotionEnd final : public services::MotionGate {
   /// For what is called to reach the services, which nobody sees; for them to answer; then, if something was moving,
   /// for it to brake.
   static constexpr std::chrono::milliseconds kArrival{100}, kAnswerTimeout{1000}, kBraking{500};
+  /// What was set in motion may be in motion for so long though its call was answered: of an operation that is called
+  /// while a person holds a button.
+  static constexpr std::chrono::seconds kLastMotion{1};
 
   /// What lets motions begin until then, which outlives this.
   explicit MotionEnd(services::MotionGate& gate) : gate_(gate) {}
@@ -46,9 +51,12 @@ class MotionEnd final : public services::MotionGate {
   void release(const std::string& core, const std::string& service) override { gate_.release(core, service); }
 
  private:
+  using Steady = std::chrono::steady_clock::time_point;
+  bool is_moving(const services::Host& host) const;
   void await_stand(const services::Host& host, bool is_moving) const;
 
   services::MotionGate& gate_;
+  std::atomic<Steady> last_motion_{Steady()};  // when the gate let one pass
   std::atomic<bool> ended_{false}, given_up_{false};
   Pool pool_{1, 0, "motion end"};
 };
