@@ -36,6 +36,17 @@ void print_errors(const HttpClient::Answer& answer, bool json) {
   if (answer.body.find("more_errors")) std::fprintf(stderr, "%s\n", kMoreErrors);
 }
 
+// Who names the authority wants to be sure of the server: without TLS nothing would be checked. RACE_CA is for all
+// servers, also those of this machine.
+std::optional<Error> refuse_authority(const ServerOptions& server) {
+  if (!server.authority || server.url.starts_with("https://")) return std::nullopt;
+  return Error{ErrorCode::not_accepted,
+               "is of https, and " + quote(server.url) +
+                   " is not: nothing would be checked, and all is sent in the "
+                   "clear. Write `--server https://ADDRESS:8443`, or leave `--ca` out",
+               "--ca"};
+}
+
 }  // namespace
 
 Expected<std::string> token_of(const std::optional<std::string>& file) {
@@ -45,10 +56,10 @@ Expected<std::string> token_of(const std::optional<std::string>& file) {
 
 void ServerOptions::declare(Arguments& arguments, const std::string& json_help) {
   arguments.text("--server", "URL", url, "where the server is");
-  arguments.text(
-      "--ca", "FILE", authority,
-      "of https: the authority of the server, tls/ca.pem of its data folder; else that in RACE_CA, else those "
-      "that this machine trusts");
+  arguments.text("--ca", "FILE", authority,
+                 "of https alone, else refused: the authority of the server, tls/ca.pem of its data folder; else that "
+                 "in RACE_CA, else those "
+                 "that this machine trusts");
   arguments.text("--token-file", "FILE", token_file, "the token of your account; else that in RACE_TOKEN");
   arguments.flag("--json", json, json_help);
 }
@@ -60,6 +71,7 @@ tl::expected<Value, int> ask_server(const ServerOptions& server, std::string_vie
     const Error& error = client.error();
     return tl::unexpected(refuse(Error{error.code, error.message, "--server"}, server.json));
   }
+  if (auto plain = refuse_authority(server)) return tl::unexpected(refuse(*plain, server.json));
   const auto token = token_of(server.token_file);
   if (!token) return tl::unexpected(refuse(token.error(), server.json));
   client->set_token(*token);

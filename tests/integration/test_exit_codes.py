@@ -47,6 +47,7 @@ TABLE = (
     (2, ("restore", "--data", "DATA", "none")), (2, ("restore",)),
     (0, ("core", "list", "--server", "SERVER")), (1, ("core", "show", "9", "--server", "SERVER")),
     (2, ("core", "list", *NOWHERE)), (2, ("core", "dance")), (2, ("core", "list", "--server", "ftp://x")),
+    (2, ("core", "list", "--server", "SERVER", "--ca", "ca.pem")), (2, ("boot", "list", "--server", "SERVER", "--ca", "ca.pem")),
     (0, ("boot", "list", "--server", "SERVER")), (1, ("boot", "remove", "a", "--server", "SERVER")), (2, ("boot", "list", *NOWHERE)),
     (0, ("account", "list", "--data", "accounts")), (2, ("account", "add", "ada", "--data", "accounts")), (2, ("account", "dance")),
     (2, ("account", "list", "--data", "SERVER_DATA")),
