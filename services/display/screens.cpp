@@ -313,11 +313,27 @@ Expected<Screens::Display*> Screens::find_connected(const std::string& display) 
 Expected<void> Screens::require_connected(const std::string& target) const {
   for (const auto& [name, display] : displays_)
     if (reaches(target, name, display) && !display.connections.empty()) return {};
-  const std::string_view place = place_of(target);
-  const std::string what = target == kAllDisplays ? "no display"
-                           : place.empty()        ? "no display named " + quote(target)
-                                                  : "no display at the place " + quote(place);
-  return unexpected(ErrorCode::not_found, what + " is connected", "display");
+  return unexpected(ErrorCode::not_found, absent(target), "display");
+}
+
+// What is missing, the page that would be it, and which there are.
+std::string Screens::absent(const std::string& target) const {
+  if (target == kAllDisplays) return "no display is connected: open /display/ on one";
+  const std::string place(place_of(target));
+  std::set<std::string> there;
+  for (const auto& [name, display] : displays_)
+    if (const std::string& found = place.empty() ? name : display.place; !display.connections.empty() && !found.empty())
+      there.insert(quote((place.empty() ? "" : "@") + found));
+  std::string text = place.empty()
+                         ? "no display named " + quote(target) + " is connected: open /display/?name=" + target
+                         : "no display at the place " + quote(place) + " is connected: open /display/?place=" + place +
+                               " on the one there";
+  std::size_t named = 0;
+  for (const std::string& one : there) {
+    if (named == kNamed) return text + ", and more";
+    text += (named++ == 0 ? ", or write one that is: " : ", ") + one;
+  }
+  return text;
 }
 
 // Comings and goings follow from what is connected, so they may be lost; what people do is refused instead.

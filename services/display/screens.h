@@ -132,6 +132,9 @@ class Screens final : public DisplayBackend, public Speakers {
   bool make_room() REQUIRES(mutex_);
   Expected<Display*> find_connected(const std::string& display) REQUIRES(mutex_);
   Expected<void> require_connected(const std::string& target) const REQUIRES(mutex_);
+  static constexpr std::size_t kNamed = 8;  // displays, or places, that a message names
+  /// For people: that no display of this target is connected, and what to do.
+  std::string absent(const std::string& target) const REQUIRES(mutex_);
   Expected<void> enqueue(DisplayEvent event) REQUIRES(mutex_);
   bool shows_question(const std::string& name, const Display& display) const REQUIRES(mutex_);
 

@@ -245,6 +245,22 @@ TEST_F(ScreensTest, NothingIsShownAtAPlaceWhereNobodyIs) {
   EXPECT_TRUE(screens.clear("@gripper")) << "as with a display that has left";
 }
 
+TEST_F(ScreensTest, WhereNobodyIsTheMessageSaysWhoIsAndWhatToDo) {
+  const auto said = [this](const char* target) { return screens.show(target, {"Hello", "", {}}).error().message; };
+  EXPECT_EQ(said("all"), "no display is connected: open /display/ on one");
+  EXPECT_EQ(said("right"), "no display named `right` is connected: open /display/?name=right");
+  screens.connect("left", false, "gripper").value();
+  screens.connect("middle", false, "gripper").value();
+  EXPECT_EQ(said("right"),
+            "no display named `right` is connected: open /display/?name=right, or write one that is: `left`, `middle`");
+  EXPECT_EQ(
+      said("@door"),
+      "no display at the place `door` is connected: open /display/?place=door on the one there, or write one that "
+      "is: `@gripper`");
+  for (int i = 0; i < 20; ++i) screens.connect("d" + std::to_string(i), false).value();
+  EXPECT_THAT(said("right"), testing::EndsWith("`d14`, `d15`, `d16`, and more"));
+}
+
 TEST_F(ScreensTest, ADisplayThatComesToAPlaceLaterShowsWhatIsShownThere) {
   screens.connect("left", false, "gripper").value();
   ASSERT_TRUE(screens.show("@gripper", {"There", "", {}}));
