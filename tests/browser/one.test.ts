@@ -276,6 +276,8 @@ describe("the run of an application", () => {
     await fixture.screenshot("one-run-asks");
     await page.getByRole("button", { name: "Skip" }).click();
     await page.getByRole("heading", { name: "All done" }).waitFor();
+    expect(await page.getByRole("region", { name: "What went wrong", exact: true }).count()).toBe(0);
+    await page.getByText("Move to: The place is not known. The step was left out, as a person said.").waitFor();
     await expect.poll(() => page.getByText("Done", { exact: true }).locator("..").last().innerText(), kSoon).toContain("1");
     await page.getByText("Cycle time").waitFor();
     await fixture.screenshot("one-run-done");

@@ -8,8 +8,9 @@ import { useApplication } from "../model";
 import { Picture } from "../Picture";
 import { Asked } from "./Asked";
 import { becomeDisplay } from "./display";
-import { treeOfRun, useFailure } from "./failed";
+import { treeOfRun, useFailures } from "./failed";
 import { Finished } from "./Finished";
+import { Past } from "./Past";
 import { ModeHere } from "./ModeHere";
 import { RunButtons } from "./RunButtons";
 import { texts } from "../texts";
@@ -21,12 +22,12 @@ export function RunView({ name }: { readonly name: string }) {
   const core = useCore();
   const active = useSession((s) => s.run?.active);
   const model = useSession((s) => s.model);
-  const failure = useFailure(application);
   useEffect(becomeDisplay, []);
   const progress = useMemo(() => {
     const tree = treeOfRun({ model });
     return application === undefined || tree === undefined || active === undefined ? kNoProgress : progressIn(application.root, activeIds(active, tree));
   }, [application, model, active]);
+  const { now: failure, past } = useFailures(application, progress);
   const isGoing = core !== undefined && !isOver(core) && core.status !== "ready";
   const look = core === undefined ? "ready" : statusLook(core);
   const step = progress.now.at(-1);
@@ -46,7 +47,7 @@ export function RunView({ name }: { readonly name: string }) {
         {core !== undefined && <p className="quiet">{goesOnMeanwhile(core)}</p>}
         {isGoing && progress.line !== undefined && <Steps progress={progress} />}
       </section>
-      {failure !== undefined && (core === undefined || isOver(core) || progress.failing || step?.id !== failure.step.id) && (
+      {failure !== undefined && (
         <section className="wrong" aria-label={t.wrong}>
           <h2>{t.failure(failure.step.title, failure.title)}</h2>
           {failure.why !== undefined && <p>{failure.why}</p>}
@@ -54,7 +55,7 @@ export function RunView({ name }: { readonly name: string }) {
           {isGoing && failure.step.failure !== undefined && <p className="quiet">{t.ifItFails(failureText(failure.step.failure, failure.step.times))}</p>}
         </section>
       )}
-      {core?.status === "faulted" && failure === undefined && (
+      {core?.status === "faulted" && (
         <section className="wrong" aria-label={t.wrong}>
           <h2>{t.fault}</h2>
           <p>{core.fault?.message}</p>
@@ -65,6 +66,7 @@ export function RunView({ name }: { readonly name: string }) {
       <Asked />
       <RunButtons name={name} />
       <ModeHere />
+      <Past past={past} />
       <Finished name={name} />
     </main>
   );

@@ -1,10 +1,11 @@
-// What went wrong last in the run that is watched: seen while it happens, else found in the derivations of its end.
+// What went wrong in the run that is watched: now, as its state says; before, as it was seen; and of its end, found in its derivations if it was not seen.
 import { useEffect, useMemo, useState } from "react";
 import { buildTree } from "../../shared/model/modelTree";
 import { causes } from "../../shared/run/causes";
-import { isBadOutcome } from "../../shared/run/controls";
+import { isBadOutcome, isOver } from "../../shared/run/controls";
 import { watchedCore, type Session } from "../../shared/session/session";
-import { failedIn, type Failed } from "../../shared/timeline/progress";
+import { kNoFailures, lastOf, pastOf, withFailures, type FailureLog, type PastFailure } from "../../shared/timeline/failures";
+import { failedIn, type Failed, type Progress } from "../../shared/timeline/progress";
 import type { Application } from "../../shared/timeline/read";
 import { api, session, useCore, useSession } from "../client";
 import { everyStep } from "../model";
@@ -13,8 +14,6 @@ import { everyStep } from "../model";
 const kSteps = 60;
 
 export interface Failure extends Failed {
-  /** The run in which it was. */
-  readonly run: string;
   /** What the step itself has found out. */
   readonly why: string | undefined;
 }
@@ -34,24 +33,55 @@ function whyOf(now: Session, id: string): string | undefined {
   return typeof why === "string" && why !== "" ? why : undefined;
 }
 
-export function useFailure(application: Application | undefined): Failure | undefined {
+export interface Failures {
+  /** Nobody has put it right: it is being handled, or the run has ended by it. */
+  readonly now: Failure | undefined;
+  /** What the run is past, oldest first. */
+  readonly past: readonly PastFailure[];
+}
+
+/** `progress`: where the run is. */
+export function useFailures(application: Application | undefined, progress: Progress): Failures {
   const core = useCore();
   const steps = useMemo(() => (application === undefined ? [] : everyStep(application)), [application]);
-  const [failure, setFailure] = useState<Failure>();
+  const log = useLog(steps, core?.id);
+  const isBadEnd = core !== undefined && (core.status === "aborted" || (core.status === "ended" && isBadOutcome(core.outcome)));
+  const seen = isBadEnd ? lastOf(log) : undefined;
+  const found = useCauseOfEnd(steps, isBadEnd && core.status === "ended" && seen === undefined ? core.id : undefined);
+  const run = useSession((s) => s.run);
+  const model = useSession((s) => s.model);
+  const isGoing = core !== undefined && !isOver(core);
+  const now = useMemo(() => {
+    const [tree, step] = [treeOfRun({ model }), progress.now.at(-1)];
+    if (!isGoing) return seen ?? found;
+    if (!progress.failing || tree === undefined || step === undefined || run === undefined) return undefined;
+    const failed = failedIn(run.ports, tree, [step]);
+    return failed && { ...failed, why: whyOf(session.get(), failed.step.id) };
+  }, [isGoing, seen, found, progress, run, model]);
+  return { now, past: useMemo(() => pastOf(log, seen), [log, seen]) };
+}
+
+/** What has failed since this page watches the run. */
+function useLog(steps: ReturnType<typeof everyStep>, run: string | undefined): FailureLog {
+  const [log, setLog] = useState(kNoFailures);
   useEffect(() => {
     const look = () => {
       const now = session.get();
-      const [tree, run] = [treeOfRun(now), watchedCore(now)];
-      const failed = tree && failedIn(now.fired.ports, tree, steps);
-      if (failed !== undefined && run !== undefined) setFailure({ ...failed, run: run.id, why: whyOf(now, failed.step.id) });
+      const [model, watched] = [treeOfRun(now), watchedCore(now)];
+      if (model !== undefined && watched !== undefined) setLog((before) => withFailures(before, now.fired, { run: watched.id, model, steps, whyOf: (id) => whyOf(now, id) }));
     };
     return session.listen(look);
   }, [steps]);
-  const ended = core?.status === "ended" && isBadOutcome(core.outcome) ? core.id : undefined;
-  const known = failure !== undefined && failure.run === ended;
+  return log.run === run ? log : kNoFailures;
+}
+
+/** The failure by which a run has ended that was not seen; `ended`: that run, if it is wanted. */
+function useCauseOfEnd(steps: ReturnType<typeof everyStep>, ended: string | undefined): Failure | undefined {
+  const [found, setFound] = useState<{ readonly run: string; readonly failure: Failure }>();
   const model = useSession((s) => s.model);
+  const isKnown = found !== undefined && found.run === ended;
   useEffect(() => {
-    if (ended === undefined || known || model === undefined) return undefined;
+    if (ended === undefined || isKnown || model === undefined) return undefined;
     let current = true;
     const find = async () => {
       const now = session.get();
@@ -60,13 +90,13 @@ export function useFailure(application: Application | undefined): Failure | unde
       const derived = await api.derivations(run.id, Math.max(1, run.step - kSteps), run.step);
       const chain = causes(tree, derived, `${tree.keys().next().value ?? ""}.${run.outcome}`);
       const failed = failedIn(chain.map(({ address }) => address), tree, steps);
-      if (current && failed !== undefined) setFailure({ ...failed, run: run.id, why: whyOf(now, failed.step.id) });
+      if (current && failed !== undefined) setFound({ run: run.id, failure: { ...failed, why: whyOf(now, failed.step.id) } });
     };
     // Without it the page still says that it has failed.
     find().catch(() => undefined);
     return () => {
       current = false;
     };
-  }, [ended, known, steps, model]);
-  return failure !== undefined && failure.run === core?.id ? failure : undefined;
+  }, [ended, isKnown, steps, model]);
+  return isKnown ? found.failure : undefined;
 }

@@ -199,6 +199,11 @@ export const en = {
     wrong: "What went wrong",
     failure: (step: string, what: string) => `${step}: ${what}`,
     ifItFails: (then: string) => `If it fails: ${then}.`,
+    past: "What went wrong before",
+    pastFailure: (step: string, what: string, count: number) => `${step}: ${what}${count > 1 ? `, ${times(count)} in a row` : ""}.`,
+    /** What became of it. */
+    became: { again: "Tried again.", skipped: "The step was left out, as a person said.", next: "It went on with the next step.", left: "That ended the loop.", stopped: "That stopped the task.", elsewhere: "It went on." },
+    earlier: (count: number) => `And ${several(count, "more", "more")} before.`,
     fault: "The program itself has an error",
     faultAdvice: "Who knows RACE Pro can find the place. You can start again.",
     outcome: (port: string) => `It ended at “${port}”.`,

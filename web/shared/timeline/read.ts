@@ -78,6 +78,7 @@ function anyStep(tree: Tree, id: string, kind: Step["kind"]): Step {
     id, name: nameOfElement(tree, id), kind, about, title: about.title, disabled: isDisabled(tree, id), failure: undefined, handlers: [], times: undefined, outcomes: [], errors: about.ports.filter(({ advice }) => advice !== undefined),
     parameters: elementOf(tree, id).kind === "state" ? parametersOf(tree, id, about) : [], inner: inner === undefined ? undefined : readTimeLine(tree, inner),
     repeat: loop !== undefined && "count" in loop ? timesOf(tree, loop.count) : undefined,
+    counter: loop !== undefined && "count" in loop ? loop.count : undefined,
   };
 }
 

@@ -61,6 +61,8 @@ export interface Step {
   readonly inner: TimeLine | undefined;
   /** Of a loop: how often. */
   readonly repeat: StepParameter | undefined;
+  /** Of a loop: id of the state that counts its rounds. */
+  readonly counter: string | undefined;
 }
 
 export interface TimeLine {
