@@ -1,22 +1,23 @@
-// How often the application has been done, and how long it took last.
+// How often the application has been done, of which runs, and how long it took.
 import { useEffect, useState } from "react";
 import type { Run } from "../../generated/messages";
-import { isBadOutcome, isOver } from "../../shared/run/controls";
-import { runTime } from "../../shared/runs/texts";
+import { isOver } from "../../shared/run/controls";
+import { outcomesOf } from "../../shared/runs/outcomes";
+import { durationText } from "../../shared/runs/texts";
 import { api, useCore } from "../client";
 import { texts } from "../texts";
 
 const t = texts.runView;
 
-/** Of the runs that the server has stored, the last 100. */
+/** Of the runs that the server has stored, the newest: it lists so many at once, and says whether there are older ones. */
 export function Finished({ name }: { readonly name: string }) {
   const core = useCore();
   const over = core === undefined || isOver(core) ? (core?.id ?? "none") : "going";
-  const [runs, setRuns] = useState<readonly Run[]>([]);
+  const [listed, setListed] = useState<{ readonly runs: readonly Run[]; readonly areMore: boolean }>({ runs: [], areMore: false });
   useEffect(() => {
     let current = true;
     api.runs(name).then(
-      (list) => current && setRuns(list.runs),
+      ({ runs, next }) => current && setListed({ runs, areMore: next !== undefined }),
       // Without it the run can still be seen.
       () => undefined,
     );
@@ -24,26 +25,25 @@ export function Finished({ name }: { readonly name: string }) {
       current = false;
     };
   }, [name, over]);
-  const ended = runs.filter((run) => run.status === "ended" && !isBadOutcome(run.outcome));
-  const failed = runs.filter((run) => run.status === "faulted" || (run.status === "ended" && isBadOutcome(run.outcome)));
-  const [last] = ended;
-  if (ended.length + failed.length === 0) return null;
+  const { over: count, finished, failed, stopped, last, mean } = outcomesOf(listed.runs);
+  if (count === 0) return null;
   return (
-    <dl className="finished" aria-label={t.untilNow}>
-      <div>
-        <dt>{t.doneCount}</dt>
-        <dd>{ended.length}</dd>
-      </div>
-      <div>
-        <dt>{t.failedCount}</dt>
-        <dd>{failed.length}</dd>
-      </div>
-      {last !== undefined && (
-        <div>
-          <dt>{t.cycleTime}</dt>
-          <dd>{runTime(last)}</dd>
-        </div>
+    <section className="finished" aria-label={t.untilNow}>
+      <p>{t.outcomes(listed.areMore ? t.ofLast(count) : t.ofAll(count), finished, failed, stopped)}</p>
+      {last !== undefined && mean !== undefined && (
+        <dl>
+          <div>
+            <dt>{t.cycleTime}</dt>
+            <dd>{durationText(last)}</dd>
+          </div>
+          {finished > 1 && (
+            <div>
+              <dt>{t.meanTime(finished)}</dt>
+              <dd>{durationText(mean)}</dd>
+            </div>
+          )}
+        </dl>
       )}
-    </dl>
+    </section>
   );
 }

@@ -12,6 +12,8 @@ import { treeOfRun, useFailures } from "./failed";
 import { Finished } from "./Finished";
 import { Past } from "./Past";
 import { ModeHere } from "./ModeHere";
+import { Rounds } from "./Rounds";
+import { useRounds } from "./rounds";
 import { RunButtons } from "./RunButtons";
 import { texts } from "../texts";
 
@@ -28,6 +30,7 @@ export function RunView({ name }: { readonly name: string }) {
     return application === undefined || tree === undefined || active === undefined ? kNoProgress : progressIn(application.root, activeIds(active, tree));
   }, [application, model, active]);
   const { now: failure, past } = useFailures(application, progress);
+  const rounds = useRounds(application, progress);
   const isGoing = core !== undefined && !isOver(core) && core.status !== "ready";
   const look = core === undefined ? "ready" : statusLook(core);
   const step = progress.now.at(-1);
@@ -39,6 +42,7 @@ export function RunView({ name }: { readonly name: string }) {
         </p>
         <Headline title={isGoing ? (step?.title ?? "…") : core !== undefined && isOver(core) ? endOf(look) : t.ready} icon={isGoing ? step?.about.icon : undefined} />
         {isGoing && progress.now.length > 1 && <p className="within">{progress.now.slice(0, -1).map(({ title }) => title).join(" › ")}</p>}
+        {isGoing && <Rounds rounds={rounds} />}
         {isGoing && progress.next !== undefined && (
           <p className="next">
             {t.next} <b>{progress.next.title}</b>
