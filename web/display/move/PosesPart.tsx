@@ -1,6 +1,6 @@
 // Taught poses: the arm goes to one while its button is held; one is replaced or removed after a second tap.
 import { useState } from "react";
-import { HoldButton } from "../../control/HoldButton";
+import { GoToPose } from "../../control/GoToPose";
 import { SavePose } from "../../control/SavePose";
 import type { TaughtPose } from "../../shared/pendant/poses";
 import { useRefusal } from "../client";
@@ -39,9 +39,7 @@ function PoseRow({ pose, refusal }: { readonly pose: TaughtPose; readonly refusa
     <li>
       <div className="pose-row">
         <b>{pose.name}</b>
-        <HoldButton name={`Go to ${pose.name}`} className="is-go" title="The arm goes there while it is held, straight in its joints; it avoids nothing" refusal={refusal} moving={hand.moving} onBegin={() => hand.moving.goTo(pose.q)}>
-          Hold to go
-        </HoldButton>
+        <GoToPose hand={hand} pose={pose} refusal={refusal} />
         <button type="button" className="plain is-small" aria-label={`Remove ${pose.name}`} aria-expanded={asks} disabled={cannot !== undefined} title={cannot} onClick={() => setAsks(!asks)}>
           ✕
         </button>

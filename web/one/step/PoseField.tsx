@@ -71,7 +71,7 @@ export function PoseField({ id, label, disabled, value, set }: Props) {
           {teaches ? texts.teach.close : texts.teach.open}
         </button>
       )}
-      {teaches && !disabled && <Teach onSaved={set} />}
+      {teaches && !disabled && <Teach pose={value} onSaved={set} />}
       {problem !== undefined && <p className="problem">{t.unreadable(problem)}</p>}
       {joints !== undefined && value !== undefined && known === undefined && <p className="problem">{t.notTaught}</p>}
       {shows && known !== undefined && value !== undefined && (

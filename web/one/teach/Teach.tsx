@@ -1,6 +1,7 @@
-// The arm is moved where it is to be, while buttons are held, and that is saved under a name that is free.
+// The arm is moved where it is to be, while buttons are held, and that is saved: as the pose that is taught, or under a name that is free.
 import { useState } from "react";
 import { Before } from "../../control/Before";
+import { GoToPose } from "../../control/GoToPose";
 import { GripperButtons } from "../../control/GripperButtons";
 import { GuidePart } from "../../control/GuidePart";
 import { JogPart } from "../../control/JogPart";
@@ -17,14 +18,25 @@ const kWays = ["tool", "joints", "hand"] as const;
 interface Props {
   /** What names begin with. */
   readonly stem?: string;
+  /** The pose that is taught, also anew. */
+  readonly pose?: string | undefined;
+  /** Another one can be saved beside `pose`. */
+  readonly withOthers?: boolean;
   readonly onSaved: (name: string) => void;
 }
 
-export function Teach({ stem, onSaved }: Props) {
+export function Teach({ stem, pose, withOthers = true, onSaved }: Props) {
+  const [last, setLast] = useState<string>();
   const [way, setWay] = useState<(typeof kWays)[number]>("tool");
   const { robot, gripper } = movableOf(hand.useServices());
   const refusal = hand.useRefusal("move_by_hand");
   const refused = hand.useMoving((now) => now.refused);
+  const shown = pose ?? last;
+  const taught = hand.usePoses((now) => now.poses.find(({ name }) => name === shown));
+  const saved = (name: string) => {
+    setLast(name);
+    onSaved(name);
+  };
   if (robot === undefined) return <p className="problem">{t.noRobot}</p>;
   return (
     <section className="teach" aria-label={t.name}>
@@ -44,7 +56,9 @@ export function Teach({ stem, onSaved }: Props) {
       {way !== "hand" && <SpeedSlider hand={hand} />}
       {gripper !== undefined && <GripperButtons gripper={gripper} refusal={refusal} />}
       <Where />
-      <SavePose hand={hand} isNamed={false} {...(stem !== undefined && { stem })} onSaved={onSaved} />
+      {taught !== undefined && <GoToPose hand={hand} pose={taught} refusal={refusal} />}
+      {pose !== undefined && <SavePose key={pose} hand={hand} isNamed={false} fixed={pose} onSaved={saved} />}
+      {(pose === undefined || withOthers) && <SavePose hand={hand} isNamed={false} {...(stem !== undefined && { stem })} onSaved={saved} />}
     </section>
   );
 }
