@@ -1,5 +1,5 @@
 // What the task shows to people, and the question that it asks: both are answered here.
-import { useId, useState } from "react";
+import { useId, useState, type ReactNode } from "react";
 import type { Question } from "../../generated/messages";
 import { isWayOut } from "../../shared/display/answers";
 import { limits, read } from "../../shared/display/numberText";
@@ -7,7 +7,8 @@ import { canAnswer } from "../../shared/display/page";
 import { answer, press, useDisplay } from "./display";
 import { texts } from "../texts";
 
-export function Asked() {
+/** `children`: what else can be done than to answer. */
+export function Asked({ children }: { readonly children?: ReactNode }) {
   const message = useDisplay((page) => page.content?.message);
   const question = useDisplay((page) => page.content?.question);
   const open = useDisplay((page) => page.connection === "open");
@@ -26,6 +27,7 @@ export function Asked() {
         </div>
       )}
       {question !== undefined && <QuestionHere key={question.id} question={question} />}
+      {question !== undefined && children !== undefined && <div className="answers">{children}</div>}
     </section>
   );
 }

@@ -1,11 +1,12 @@
 // Begins, holds and ends the run.
 import { allowed, kEffects, type Command } from "../../shared/run/controls";
-import { api, attempt, session, useCore, useRefusalOfCommand, useSession } from "../client";
+import { api, attempt, useCore, useRefusalOfCommand, useSession } from "../client";
 import { useEditing } from "../editing";
 import { useProblems } from "../model";
 import { go } from "../place";
 import { select } from "../select";
 import { texts } from "../texts";
+import { begin } from "./begin";
 
 const t = texts.runView;
 
@@ -18,15 +19,10 @@ export function RunButtons({ name }: { readonly name: string }) {
   const isNew = core === undefined || commands.has("again");
   const [problem] = problems;
   const notReady = !isNew || (problem === undefined && errors === 0) ? undefined : (problem?.text ?? t.hasErrors);
-  const begin = async () => {
-    const made = await api.createCore(name, {});
-    session.dispatch({ type: "update", update: { type: "core", core: made } });
-    await api.start(made.id);
-  };
   const run = (command: "start" | "pause" | "resume" | "stop") => void attempt(async () => core !== undefined && (await api[command](core.id)));
   return (
     <section className="run-buttons" aria-label={t.buttons}>
-      {isNew && <RunButton command="again" name={core === undefined ? t.start : t.startAgain} isMain disabled={lost || notReady !== undefined} act={() => void attempt(begin)} />}
+      {isNew && <RunButton command="again" name={core === undefined ? t.start : t.startAgain} isMain disabled={lost || notReady !== undefined} act={() => void attempt(() => begin(name))} />}
       {commands.has("start") && <RunButton command="start" name={t.start} isMain disabled={lost} act={() => run("start")} />}
       {commands.has("resume") && <RunButton command="resume" name={t.goOn} isMain disabled={lost} act={() => run("resume")} />}
       {commands.has("pause") && <RunButton command="pause" name={t.pause} hint={kEffects.pause} disabled={lost} act={() => run("pause")} />}

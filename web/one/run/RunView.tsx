@@ -1,5 +1,5 @@
 // The run of the application: what happens now, what is next, what went wrong, and the buttons to begin, hold and end it.
-import { useEffect, useMemo } from "react";
+import { useEffect, useMemo, useState } from "react";
 import { goesOnMeanwhile, isBadOutcome, isOver, statusLook } from "../../shared/run/controls";
 import { activeIds, kNoProgress, progressIn, type Progress } from "../../shared/timeline/progress";
 import { failureText } from "../line/StepCard";
@@ -7,7 +7,7 @@ import { useCore, useSession } from "../client";
 import { useApplication } from "../model";
 import { Picture } from "../Picture";
 import { Asked } from "./Asked";
-import { becomeDisplay } from "./display";
+import { becomeDisplay, useDisplay } from "./display";
 import { treeOfRun, useFailures } from "./failed";
 import { Finished } from "./Finished";
 import { Past } from "./Past";
@@ -15,6 +15,8 @@ import { ModeHere } from "./ModeHere";
 import { Rounds } from "./Rounds";
 import { useRounds } from "./rounds";
 import { RunButtons } from "./RunButtons";
+import { useRetry } from "./retry";
+import { TeachAgain, TeachButtons } from "./TeachAgain";
 import { texts } from "../texts";
 
 const t = texts.runView;
@@ -30,10 +32,17 @@ export function RunView({ name }: { readonly name: string }) {
     return application === undefined || tree === undefined || active === undefined ? kNoProgress : progressIn(application.root, activeIds(active, tree));
   }, [application, model, active]);
   const { now: failure, past } = useFailures(application, progress);
+  const tryAgain = useRetry(core, core === undefined || isOver(core) ? undefined : failure?.step.title);
+  const [taught, setTaught] = useState<string>();
+  const asksHere = useDisplay((page) => page.content?.question !== undefined);
   const rounds = useRounds(application, progress);
   const isGoing = core !== undefined && !isOver(core) && core.status !== "ready";
   const look = core === undefined ? "ready" : statusLook(core);
   const step = progress.now.at(-1);
+  // While a step is tried again by itself, nothing is to be done.
+  const isAsked = !isGoing || asksHere || core.paused;
+  const pose = failure?.poses.find((each) => each === taught);
+  const teach = core !== undefined && failure !== undefined && failure.poses.length > 0 && isAsked ? <TeachButtons core={core} poses={failure.poses} onOpen={setTaught} /> : undefined;
   return (
     <main className={`run is-${look}`} aria-label={t.name}>
       <section className="now" aria-label={t.now}>
@@ -57,6 +66,7 @@ export function RunView({ name }: { readonly name: string }) {
           {failure.why !== undefined && <p>{failure.why}</p>}
           {failure.advice !== "" && <p className="advice">{failure.advice}</p>}
           {isGoing && failure.step.failure !== undefined && <p className="quiet">{t.ifItFails(failureText(failure.step.failure, failure.step.times))}</p>}
+          {pose === undefined && !asksHere && teach !== undefined && <div className="buttons">{teach}</div>}
         </section>
       )}
       {core?.status === "faulted" && (
@@ -67,7 +77,7 @@ export function RunView({ name }: { readonly name: string }) {
         </section>
       )}
       {look === "failed" && failure === undefined && <p className="wrong is-short">{isBadOutcome(core?.outcome) ? t.outcome(core?.outcome ?? "") : ""}</p>}
-      <Asked />
+      {pose !== undefined && core !== undefined ? <TeachAgain key={pose} name={name} core={core} pose={pose} onGoOn={tryAgain} onClose={() => setTaught(undefined)} /> : <Asked>{teach}</Asked>}
       <RunButtons name={name} />
       <ModeHere />
       <Past past={past} />

@@ -6,6 +6,7 @@ import { isBadOutcome, isOver } from "../../shared/run/controls";
 import { watchedCore, type Session } from "../../shared/session/session";
 import { kNoFailures, lastOf, pastOf, withFailures, type FailureLog, type PastFailure } from "../../shared/timeline/failures";
 import { failedIn, type Failed, type Progress } from "../../shared/timeline/progress";
+import { posesToTeach } from "../../shared/timeline/teachable";
 import type { Application } from "../../shared/timeline/read";
 import { api, session, useCore, useSession } from "../client";
 import { everyStep } from "../model";
@@ -16,6 +17,8 @@ const kSteps = 60;
 export interface Failure extends Failed {
   /** What the step itself has found out. */
   readonly why: string | undefined;
+  /** What of its place can be taught again. */
+  readonly poses: readonly string[];
 }
 
 const kTrees = new WeakMap<object, ReturnType<typeof buildTree>>();
@@ -26,11 +29,17 @@ export function treeOfRun({ model }: Pick<Session, "model">): ReturnType<typeof 
   return tree;
 }
 
+const pathOf = (now: Session, id: string): string | undefined => [...(treeOfRun(now)?.values() ?? [])].find(({ node }) => node.id === id)?.path;
+
 function whyOf(now: Session, id: string): string | undefined {
-  const tree = treeOfRun(now);
-  const path = tree === undefined ? undefined : [...tree.values()].find(({ node }) => node.id === id)?.path;
+  const path = pathOf(now, id);
   const why = path === undefined ? undefined : now.run?.results.get(path)?.["why"];
   return typeof why === "string" && why !== "" ? why : undefined;
+}
+
+function withPoses(now: Session, failed: Failed & Partial<Pick<Failure, "why">>): Failure {
+  const path = pathOf(now, failed.step.id);
+  return { ...failed, why: failed.why ?? whyOf(now, failed.step.id), poses: posesToTeach(failed, path === undefined ? undefined : now.run?.parameters.get(path)) };
 }
 
 export interface Failures {
@@ -53,10 +62,10 @@ export function useFailures(application: Application | undefined, progress: Prog
   const isGoing = core !== undefined && !isOver(core);
   const now = useMemo(() => {
     const [tree, step] = [treeOfRun({ model }), progress.now.at(-1)];
-    if (!isGoing) return seen ?? found;
+    if (!isGoing) return seen === undefined ? found : withPoses(session.get(), seen);
     if (!progress.failing || tree === undefined || step === undefined || run === undefined) return undefined;
     const failed = failedIn(run.ports, tree, [step]);
-    return failed && { ...failed, why: whyOf(session.get(), failed.step.id) };
+    return failed && withPoses(session.get(), failed);
   }, [isGoing, seen, found, progress, run, model]);
   return { now, past: useMemo(() => pastOf(log, seen), [log, seen]) };
 }
@@ -90,7 +99,7 @@ function useCauseOfEnd(steps: ReturnType<typeof everyStep>, ended: string | unde
       const derived = await api.derivations(run.id, Math.max(1, run.step - kSteps), run.step);
       const chain = causes(tree, derived, `${tree.keys().next().value ?? ""}.${run.outcome}`);
       const failed = failedIn(chain.map(({ address }) => address), tree, steps);
-      if (current && failed !== undefined) setFound({ run: run.id, failure: { ...failed, why: whyOf(now, failed.step.id) } });
+      if (current && failed !== undefined) setFound({ run: run.id, failure: withPoses(now, failed) });
     };
     // Without it the page still says that it has failed.
     find().catch(() => undefined);

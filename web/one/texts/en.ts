@@ -309,5 +309,16 @@ export const en = {
     notMoved: (why: string) => `Not moved: ${why}.`,
     at: (x: string, y: string, z: string) => `The gripper is at X ${x}, Y ${y}, Z ${z} mm.`,
   },
+  /** A step of a run has failed for its place. */
+  teachAgain: {
+    open: "Teach it again",
+    title: (pose: string) => `Teach “${pose}” again`,
+    whileHeld: "The run waits. Move the arm to where it is to be, and save. Then the step is tried again.",
+    whenOver: "Move the arm to where it is to be, and save. Then start again.",
+    saveFirst: (pose: string) => `First save “${pose}” where the arm is to be.`,
+    keepAway: "The arm moves when you press it: keep away from it.",
+    tryAgain: "Try the step again",
+    close: "Do not teach",
+  },
   problem: (why: string) => `That did not work: ${why}. Try again.`,
 };

@@ -38,6 +38,8 @@ export function progressIn(line: TimeLine, active: ReadonlySet<string>): Progres
 /** An error of a step that has fired. */
 export interface Failed {
   readonly step: Step;
+  /** By its name. */
+  readonly port: string;
   readonly title: string;
   readonly advice: string;
 }
@@ -49,7 +51,7 @@ export function failedIn(ports: readonly string[], model: ModelTree, steps: read
     const id = parts === undefined ? undefined : model.get(parts.path)?.node.id;
     const step = steps.find((each) => each.id === id && (each.inner === undefined || each.kind === "skill"));
     const port = step?.errors.find(({ name }) => name === parts?.port);
-    if (step !== undefined && port !== undefined) return { step, title: port.title, advice: port.advice ?? "" };
+    if (step !== undefined && port !== undefined) return { step, port: port.name, title: port.title, advice: port.advice ?? "" };
   }
   return undefined;
 }
