@@ -317,6 +317,24 @@ class Runs(ControlCase):
         self.arm.wait(moving=False)
         eventually(lambda: self.status(core)["paused"])
 
+    def test_a_run_that_is_paused_makes_way_for_a_hand_once_the_mode_has_changed_and_goes_on(self):
+        """As a page does that teaches a pose while a run waits (web/one/run/hold.ts)."""
+        alice = self.person()
+        alice.programming()
+        core = self.server.core(insisting(), start=False)
+        self.assertEqual(alice.request("POST", f"/cores/{core}/start")[0], 200)
+        self.arm.wait(moving=True)
+        self.assertEqual(alice.request("POST", f"/cores/{core}/pause")[0], 200)
+        by_hand = {"target": {"joints": HOME}, "speed": 0.5}
+        self.assertEqual(alice.call("robot", "move", **by_hand)["error"]["code"], "leased")
+        alice.set_mode("execution")
+        alice.set_mode("programming")
+        self.assertIn("pose", alice.call("robot", "move", **by_hand)["result"])
+        self.assertTrue(self.status(core)["paused"])
+        alice.set_mode("execution")
+        self.assertEqual(alice.request("POST", f"/cores/{core}/resume")[0], 200)
+        self.arm.wait(moving=True)
+
     def test_the_mode_outlives_the_server_and_starts_nothing(self):
         alice = self.person().programming()
         alice.close()
