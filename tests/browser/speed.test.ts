@@ -50,6 +50,14 @@ describe("the speed of the robot", () => {
     await nowhere();
   });
 
+  it("can be set where runs are, also while it is the whole", async () => {
+    for (const page of [phone, one]) expect(await slider(page).inputValue()).toBe("1");
+    await pro.goto(`${fixture.url}/pro/?below=manual`);
+    await slider(pro).waitFor();
+    expect(await slider(pro).inputValue()).toBe("1");
+    await pro.goto(`${fixture.url}/pro/`);
+  });
+
   it("is said on all pages when it is less, also when who has set it has given the controls back", async () => {
     await phone.getByRole("button", { name: "Take the controls" }).tap();
     await phone.getByText("You have the controls").waitFor();

@@ -29,6 +29,8 @@ export function FirstLogin() {
 function Page() {
   const [edit, view] = [usePlace((place) => place.edit), usePlace((place) => place.view)];
   const guide = usePlace((place) => place.guide);
+  // It is set there, whatever it is.
+  const isRun = edit !== undefined && (guide === undefined ? view === "run" : guide === "run");
   const lost = useSession((s) => s.connection === "lost");
   const away = useSession((s) => (s.connection === "open" ? undefined : texts.frame.away));
   const [reset, take, answer, speed] = [useRefusal("reset_stop"), useRefusal("take_controls"), useRefusal("answer_control"), useRefusal("set_speed")];
@@ -37,7 +39,7 @@ function Page() {
       <Head />
       <StoppedBanner refusal={away ?? reset} fetcher={access.fetch} />
       <ControlBar always address={ownControls} refusal={away ?? take} refusalToAnswer={away ?? answer} fetcher={access.fetch} speed={robotSpeed}>
-        <SpeedOverride speed={robotSpeed} refusal={away ?? speed} />
+        {isRun ? undefined : <SpeedOverride speed={robotSpeed} refusal={away ?? speed} />}
       </ControlBar>
       {lost && (
         <p className="notice is-bad" role="alert">

@@ -1,9 +1,10 @@
 // The run of the application: what happens now, what is next, what went wrong, and the buttons to begin, hold and end it.
 import { useEffect, useMemo, useState } from "react";
+import { SpeedOverride } from "../../control/SpeedOverride";
 import { goesOnMeanwhile, isBadOutcome, isOver, statusLook } from "../../shared/run/controls";
 import { activeIds, kNoProgress, progressIn, type Progress } from "../../shared/timeline/progress";
 import { failureText } from "../line/StepCard";
-import { useCore, useSession } from "../client";
+import { robotSpeed, useCore, useRefusal, useSession } from "../client";
 import { useApplication } from "../model";
 import { Picture } from "../Picture";
 import { Asked } from "./Asked";
@@ -38,6 +39,8 @@ export function RunView({ name }: { readonly name: string }) {
   const rounds = useRounds(application, progress);
   const isGoing = core !== undefined && !isOver(core) && core.status !== "ready";
   const look = core === undefined ? "ready" : statusLook(core);
+  const speed = useRefusal("set_speed");
+  const lost = useSession((s) => (s.connection === "open" ? undefined : texts.frame.away));
   const step = progress.now.at(-1);
   // While a step is tried again by itself, nothing is to be done.
   const isAsked = !isGoing || asksHere || core.paused;
@@ -79,6 +82,7 @@ export function RunView({ name }: { readonly name: string }) {
       {look === "failed" && failure === undefined && <p className="wrong is-short">{isBadOutcome(core?.outcome) ? t.outcome(core?.outcome ?? "") : ""}</p>}
       {pose !== undefined && core !== undefined ? <TeachAgain key={pose} name={name} core={core} pose={pose} onGoOn={tryAgain} onClose={() => setTaught(undefined)} /> : <Asked>{teach}</Asked>}
       <RunButtons name={name} />
+      <SpeedOverride speed={robotSpeed} refusal={lost ?? speed} />
       <ModeHere />
       <Past past={past} />
       <Finished name={name} />

@@ -2,11 +2,12 @@
 import { GripperButtons } from "../../control/GripperButtons";
 import { JogButton } from "../../control/JogButton";
 import { ModeSwitch } from "../../control/ModeSwitch";
+import { SpeedOverride } from "../../control/SpeedOverride";
 import { TakeButton } from "../../control/TakeButton";
 import { kJointParts, kShares, kToolParts, movableOf, partName, speedText } from "../../shared/control/jog";
 import { holderText } from "../../shared/control/texts";
 import { useStop } from "../../stop/useStop";
-import { fetchWithControls, ownControls, problem as showProblem, useSession } from "../client";
+import { fetchWithControls, ownControls, problem as showProblem, robotSpeed, useSession } from "../client";
 import { useRefusal } from "../login/rights";
 import { moving, setMoving, useMoving } from "./moving";
 import { SupervisedBox } from "./SupervisedBox";
@@ -19,6 +20,7 @@ export function ManualPanel() {
   const refusal = lost ? "the server is not there" : refused;
   const take = useRefusal("take_controls");
   const mode = useRefusal("set_mode");
+  const speed = useRefusal("set_speed");
   const who = useStop((stop) => holderText(stop.holder, stop.held));
   const { robot, gripper } = movableOf(services);
   const problem = useMoving((now) => now.refused);
@@ -31,6 +33,7 @@ export function ManualPanel() {
         </div>
         <ModeSwitch refusal={mode} fetcher={fetchWithControls} onProblem={showProblem} />
         <SupervisedBox />
+        <SpeedOverride speed={robotSpeed} refusal={lost ? "the server is not there" : speed} />
       </div>
       <div className="manual-moves">
         <p className="manual-why" role="status">
