@@ -116,6 +116,8 @@ describe.each(kScreens)("the first use on a %s", (screen, device) => {
     if ((await button("Give back").count()) > 0) await tap("Give back");
   }
 
+  const kWays = [["Back", "Forward"], ["Right", "Left"], ["Down", "Up"]] as const;
+
   /** Holds the button that leads there. */
   async function along(axis: 0 | 1 | 2, target: number, near: number, run: number): Promise<void> {
     const name = ["X", "Y", "Z"][axis] ?? "";
@@ -124,7 +126,7 @@ describe.each(kScreens)("the first use on a %s", (screen, device) => {
       if (Math.abs(left) <= near) return;
       const sign = Math.sign(left);
       await prepare();
-      const held = button(`Tool along ${name} ${sign > 0 ? "plus" : "minus"}, while held`);
+      const held = button(`${kWays[axis][sign > 0 ? 1 : 0]}, tool along ${name} ${sign > 0 ? "plus" : "minus"}, while held`);
       // Who sees that nothing moves lets go.
       const isOver = async () => (await held.isDisabled()) || (await page.getByText(/^Not moved: /).count()) > 0;
       await finger.hold(held, async () => (await isOver()) || sign * (target - ((await tool())[axis] ?? 0)) <= Math.min(run, Math.abs(left)));

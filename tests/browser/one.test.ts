@@ -339,7 +339,7 @@ describe("a pose that is taught in place", () => {
 
   /** Holds the button until the arm is above `height`; who sees that nothing moves lets go, and presses again. The height then [m]. */
   const raise = async (height: number, press: (held: Locator) => Promise<void>, letGo: () => Promise<void>): Promise<number> => {
-    const held = panel().getByRole("button", { name: "Tool along Z plus, while held", exact: true });
+    const held = panel().getByRole("button", { name: "Up, tool along Z plus, while held", exact: true });
     for (let tries = 0; tries < 5; tries++) {
       await prepare();
       await held.scrollIntoViewIfNeeded();
@@ -358,7 +358,7 @@ describe("a pose that is taught in place", () => {
     await page.goto(`${fixture.url}/one/?edit=sort-parts`);
     await card("Move to").click();
     await panel().getByRole("button", { name: "Teach here" }).click();
-    expect(await panel().getByRole("button", { name: "Tool along Z plus, while held" }).isDisabled()).toBe(true);
+    expect(await panel().getByRole("button", { name: "Up, tool along Z plus, while held" }).isDisabled()).toBe(true);
     const [, , start = 0] = await heights();
     const byMouse = await raise(
       start + 0.005,

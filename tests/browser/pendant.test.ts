@@ -126,7 +126,7 @@ describe("a phone as teach pendant", () => {
     await prepare("tool");
     await looksGood("pendant-tool", "tool");
     await button("Axes of the tool").tap();
-    const lift = await hold("Tool along Z minus, while held");
+    const lift = await hold("Back off, tool along Z minus, while held");
     await moves(true);
     await lift();
     await moves(false);

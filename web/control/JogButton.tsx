@@ -1,4 +1,5 @@
 // A button that turns a joint, or moves the tool, one way while it is held.
+import type { ReactNode } from "react";
 import { partName, type JogPart, type Sign } from "../shared/control/jog";
 import { HoldButton } from "./HoldButton";
 import type { Moving } from "./moving";
@@ -6,21 +7,25 @@ import type { Moving } from "./moving";
 interface Props {
   readonly part: JogPart;
   readonly sign: Sign;
+  /** As people call it; else `Joint 1 plus`. */
+  readonly name?: string;
   readonly refusal: string | undefined;
   readonly moving: Moving;
+  /** Else its sign. */
+  readonly children?: ReactNode;
 }
 
-export function JogButton({ part, sign, refusal, moving }: Props) {
+export function JogButton({ part, sign, name, refusal, moving, children }: Props) {
   const { long } = partName(part);
   return (
     <HoldButton
-      name={`${long} ${sign > 0 ? "plus" : "minus"}`}
+      name={name ?? `${long} ${sign > 0 ? "plus" : "minus"}`}
       title={`${long} ${sign > 0 ? "+" : "−"}: moves while it is held (Space or Enter, too)`}
       refusal={refusal}
       moving={moving}
       onBegin={() => moving.jog(part, sign)}
     >
-      {sign > 0 ? "+" : "−"}
+      {children ?? (sign > 0 ? "+" : "−")}
     </HoldButton>
   );
 }

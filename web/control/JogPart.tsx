@@ -1,5 +1,6 @@
-// Each joint, or the tool along and around its axes: a button for either way, which moves while it is held.
-import { kJointParts, kToolParts, partName } from "../shared/control/jog";
+// Each joint, or the tool along and around its axes: a button for either way, with the word for it, which moves while it is held.
+import { jointNames, wayName, wayOf } from "../shared/control/directions";
+import { kJointParts, kToolParts, partName, type JogPart as Part, type Sign } from "../shared/control/jog";
 import type { Hand } from "./hand";
 import { JogButton } from "./JogButton";
 
@@ -10,16 +11,38 @@ interface Props {
 }
 
 export function JogPart({ hand, kind, refusal }: Props) {
+  const frame = hand.useMoving((now) => now.frame);
+  const joints = jointNames(hand.useServices());
+  const button = (part: Part, sign: Sign) => {
+    const way = wayOf(part, sign, frame);
+    return (
+      <JogButton part={part} sign={sign} name={wayName(part, sign, frame, joints)} refusal={refusal} moving={hand.moving}>
+        {way === undefined ? undefined : (
+          <span className="way">
+            {way}{" "}
+            <small>
+              {sign > 0 ? "+" : "−"}
+              {partName(part).short}
+            </small>
+          </span>
+        )}
+      </JogButton>
+    );
+  };
   return (
     <div className={`jog is-${kind}`} role="group" aria-label={kind === "joints" ? "Joints" : "Tool"}>
       {kind === "tool" && <FrameChoice hand={hand} />}
       {(kind === "joints" ? kJointParts : kToolParts).map((part) => {
         const { short, long } = partName(part);
+        const joint = part.kind === "joint" ? joints[part.joint] : undefined;
         return (
           <div key={long} className="jog-row">
-            <JogButton part={part} sign={-1} refusal={refusal} moving={hand.moving} />
-            <b title={long}>{kind === "joints" ? long : short}</b>
-            <JogButton part={part} sign={1} refusal={refusal} moving={hand.moving} />
+            {button(part, -1)}
+            <b title={long}>
+              {kind === "tool" ? short : (joint ?? long)}
+              {joint !== undefined && <small> {short}</small>}
+            </b>
+            {button(part, 1)}
           </div>
         );
       })}
