@@ -159,6 +159,14 @@ describe("a phone as teach pendant", () => {
     await said.waitFor();
     await moves(false);
     await touch("touchEnd");
+    // Not on a button, too.
+    await touch("touchStart", pressed);
+    await moves(true);
+    expect(await said.count()).toBe(0);
+    await touch("touchStart", pressed, thumb);
+    await said.waitFor();
+    await moves(false);
+    await touch("touchEnd");
   });
 
   it("stops when the finger leaves for a call: the page is hidden", async () => {

@@ -1,6 +1,7 @@
 // A button that moves the robot while it is held, by pointer or by key.
 import { useEffect, useRef, useState, type ReactNode } from "react";
 import { useSelected } from "../page/store";
+import { kTwoFingers, watchFingers } from "./fingers";
 import type { Moving } from "./moving";
 
 interface Props {
@@ -16,18 +17,18 @@ interface Props {
   readonly children: ReactNode;
 }
 
-/** Which of two fingers means something, and which one rests on the screen, nobody knows: nothing moves, and what moves stops. */
-const kTwoFingers = "more than one finger is on the screen. Lift all of them, then press with one";
-
 const isHoldKey = (key: string): boolean => key === " " || key === "Enter";
 
 export function HoldButton({ name, title, className = "", refusal, moving, onBegin, children }: Props) {
   const [held, setHeld] = useState(false);
   const isHeld = useRef(false);
   const isMoved = useSelected(moving.store, (now) => now.refused === undefined);
-  const begin = () => {
+  /** The pointer that holds it; nothing: a key does. */
+  const pointer = useRef<number>(undefined);
+  const begin = (by?: number) => {
     if (isHeld.current) return;
     isHeld.current = true;
+    pointer.current = by;
     setHeld(true);
     onBegin();
   };
@@ -52,7 +53,12 @@ export function HoldButton({ name, title, className = "", refusal, moving, onBeg
     }
     const events = [[window, "blur"], [document, "visibilitychange"], [window, "pagehide"]] as const;
     for (const [target, event] of events) target.addEventListener(event, over);
+    const endWatch = watchFingers(window, pointer.current, () => {
+      over();
+      moving.refuse(kTwoFingers);
+    });
     return () => {
+      endWatch();
       for (const [target, event] of events) target.removeEventListener(event, over);
       moving.end();
     };
@@ -71,7 +77,7 @@ export function HoldButton({ name, title, className = "", refusal, moving, onBeg
           return;
         }
         event.currentTarget.setPointerCapture(event.pointerId);
-        begin();
+        begin(event.pointerId);
       }}
       onPointerUp={end}
       onPointerCancel={end}
