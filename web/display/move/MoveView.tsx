@@ -5,6 +5,7 @@ import { GuidePart } from "../../control/GuidePart";
 import { JogPart } from "../../control/JogPart";
 import { SavePose } from "../../control/SavePose";
 import { SpeedSlider } from "../../control/SpeedSlider";
+import { ToolNotice } from "../../control/ToolNotice";
 import { movableOf } from "../../shared/control/jog";
 import { kMovePartNames, kMoveParts } from "../../shared/pendant/view";
 import { useRefusal, useSession } from "../client";
@@ -23,6 +24,7 @@ export function MoveView() {
     <div className="move">
       <h2 className="unseen">Move the robot by hand</h2>
       {refusal !== undefined && <Before hand={hand} />}
+      <ToolNotice services={services} />
       <div className="parts" role="group" aria-label="How to move">
         {kMoveParts.map((each) => (
           <button key={each} type="button" aria-pressed={each === part} onClick={() => goTo({ part: each })}>

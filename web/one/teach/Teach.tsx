@@ -7,6 +7,7 @@ import { GuidePart } from "../../control/GuidePart";
 import { JogPart } from "../../control/JogPart";
 import { SavePose } from "../../control/SavePose";
 import { SpeedSlider } from "../../control/SpeedSlider";
+import { ToolNotice } from "../../control/ToolNotice";
 import { movableOf } from "../../shared/control/jog";
 import { hand } from "../hand";
 import { texts } from "../texts";
@@ -28,7 +29,8 @@ interface Props {
 export function Teach({ stem, pose, withOthers = true, onSaved }: Props) {
   const [last, setLast] = useState<string>();
   const [way, setWay] = useState<(typeof kWays)[number]>("tool");
-  const { robot, gripper } = movableOf(hand.useServices());
+  const services = hand.useServices();
+  const { robot, gripper } = movableOf(services);
   const refusal = hand.useRefusal("move_by_hand");
   const refused = hand.useMoving((now) => now.refused);
   const shown = pose ?? last;
@@ -42,6 +44,7 @@ export function Teach({ stem, pose, withOthers = true, onSaved }: Props) {
     <section className="teach" aria-label={t.name}>
       <h2 className="unseen">{t.name}</h2>
       {refusal !== undefined && <Before hand={hand} />}
+      <ToolNotice services={services} />
       <div className="ways" role="group" aria-label={t.how}>
         {kWays.map((each) => (
           <button key={each} type="button" aria-pressed={each === way} onClick={() => setWay(each)}>

@@ -4,6 +4,7 @@ import { JogButton } from "../../control/JogButton";
 import { ModeSwitch } from "../../control/ModeSwitch";
 import { SpeedOverride } from "../../control/SpeedOverride";
 import { TakeButton } from "../../control/TakeButton";
+import { ToolNotice } from "../../control/ToolNotice";
 import { kJointParts, kShares, kToolParts, movableOf, partName, speedText } from "../../shared/control/jog";
 import { holderText } from "../../shared/control/texts";
 import { useStop } from "../../stop/useStop";
@@ -39,6 +40,7 @@ export function ManualPanel() {
         <p className="manual-why" role="status">
           {refusal !== undefined ? `Nothing is moved by hand: ${refusal}.` : problem !== undefined ? `Not moved: ${problem}.` : ""}
         </p>
+        <ToolNotice services={services} />
         <div className="manual-set">
           {robot === undefined ? <p className="quiet">No robot here can be moved by held buttons.</p> : <JogSettings />}
           {gripper !== undefined && <GripperButtons gripper={gripper} refusal={refusal} />}

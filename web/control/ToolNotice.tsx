@@ -1,0 +1,24 @@
+// While the arm is moved by hand: its tool is another one than at first, or its service is gone.
+import { useEffect, useState } from "react";
+import type { HostedService } from "../generated/messages";
+import { toolOf, toolWarning, type Tool } from "../shared/control/tool";
+
+export function ToolNotice({ services }: { readonly services: readonly HostedService[] }) {
+  const [first, setFirst] = useState<Tool>();
+  const now = toolOf(services);
+  useEffect(() => {
+    setFirst((before) => before ?? toolOf(services));
+  }, [services]);
+  const warning = toolWarning(first, services);
+  if (warning === undefined) return null;
+  return (
+    <p className="tool-notice is-bad" role="alert">
+      {warning}{" "}
+      {now !== undefined && (
+        <button type="button" className="plain" onClick={() => setFirst(now)}>
+          I have read this
+        </button>
+      )}
+    </p>
+  );
+}
