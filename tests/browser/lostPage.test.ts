@@ -113,15 +113,19 @@ describe("a person who is lost with the page that moves the arm", () => {
   it("or the button is released", () => measure("released button", (label) => tab.mouse("mouseReleased", label), "pro", fixture.url, kReleased));
   it("on a phone: by another page that is shown", () => measure("hidden page of a phone", () => tab.showAnother(), "phone"));
   it("on a phone: or the button is released", () => measure("released button of a phone", (label) => tab.mouse("mouseReleased", label), "phone", fixture.url, kReleased));
-  it("on a phone: by its network, which it says", () =>
+  it.each([
+    ["pro", "Server lost"],
+    ["phone", "No connection"],
+  ] as const)("by the network of the page %s, which says so", (page, said) =>
     measure(
-      "lost network of a phone",
+      `lost network of ${page}`,
       async () => {
         network.lose();
-        await tab.until(`document.querySelector('[aria-label="No connection"]')`);
+        await tab.until(`document.querySelector('[aria-label=${JSON.stringify(said)}]')`);
         network.restore();
       },
-      "phone",
+      page,
       network.url,
-    ));
+    ),
+  );
 });

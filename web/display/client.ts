@@ -2,10 +2,8 @@
 import { applyDisplayEvent, canAnswer, firstPage, kDefaultName, nameOf, placeOf, type DisplayEvent, type DisplayPage } from "../shared/display/page";
 import type { Key } from "../shared/display/numberText";
 import type { StreamUpdate } from "../shared/messages/stream";
-import { watchReach } from "../shared/reach";
 import { applyEvent, emptySession, watchedCore, type Session, type SessionEvent } from "../shared/session/session";
 import { coreToWatch } from "../shared/session/watched";
-import { controls, every } from "../control/page";
 import { createPageStream } from "../page/pageStream";
 import { createRights } from "../page/rights";
 import { createStore, useSelected } from "../page/store";
@@ -85,14 +83,4 @@ export function connect(): void {
     onTaken: ({ type }) => (type === "cores" || type === "core" || type === "core_removed") && watchSomething(),
   });
   opened.announceDisplay(display.get().name, false, ownPlace);
-  watchReach({
-    fetcher: (input, init) => fetch(input, init),
-    every,
-    timeout: (time) => AbortSignal.timeout(time),
-    isSeen: () => !document.hidden && display.get().connection === "open",
-    onLost: () => {
-      controls.release("the server does not answer");
-      opened.abandon();
-    },
-  });
 }

@@ -42,8 +42,9 @@ function Page() {
         {isRun ? undefined : <SpeedOverride speed={robotSpeed} refusal={away ?? speed} />}
       </ControlBar>
       {lost && (
-        <p className="notice is-bad" role="alert">
-          {texts.frame.lost}
+        <p className="notice server-lost" role="alert" aria-label={texts.frame.lostTitle}>
+          <strong>{texts.frame.lostTitle}</strong>
+          <span>{texts.frame.lost}</span>
         </p>
       )}
       <Problem />

@@ -4,10 +4,12 @@ import type { Access } from "../shared/login/access";
 import { refusalTo } from "../shared/login/doings";
 import { messageOf } from "../shared/messageOf";
 import type { StreamUpdate } from "../shared/messages/stream";
+import { watchReach } from "../shared/reach";
 import type { Session, SessionEvent } from "../shared/session/session";
 import type { Told } from "../shared/slowly";
 import type { Store } from "../shared/store";
 import { openStream, type Connection, type Stream, type StreamHandlers } from "../shared/stream";
+import { controls, every } from "../control/page";
 import { stop } from "../stop/page";
 import { createAccount } from "./account";
 import { createStore, useSelected } from "./store";
@@ -68,6 +70,7 @@ export function createPageStream(session: Store<Session, SessionEvent>) {
       },
       onMalformed,
       onUpdate: (update) => {
+        reach.heard();
         if (update.type === "control") stop.take(update.control);
         else if (!take(update)) session.dispatchInFrame((frame) => ({ type: "update", update, frame }));
         speedWatch.receive(update);
@@ -76,6 +79,20 @@ export function createPageStream(session: Store<Session, SessionEvent>) {
       },
     });
     stream = opened;
+    const reach = watchReach({
+      fetcher: (input, init) => fetch(input, init),
+      now: () => Date.now(),
+      every,
+      timeout: (time) => AbortSignal.timeout(time),
+      isSeen: () => !document.hidden,
+      isOpen: () => session.get().connection === "open",
+      onLost: () => {
+        // What is moved by hand ends with them: the server may not hear that a button is released.
+        controls.release("the server does not answer");
+        opened.abandon();
+      },
+      onBack: () => opened.retry(),
+    });
     for (const channel of channels) opened.subscribe(channel);
     return opened;
   }

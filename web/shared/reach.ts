@@ -2,43 +2,94 @@
 
 /** Between two questions [ms]. */
 export const kAsk = 1000;
-/** Without an answer for so long [ms], the server is out of reach. */
+/** Without an answer for so long [ms], a question has failed. */
 export const kPatience = 1500;
 /** One question may be lost by itself. */
 export const kFailures = 2;
+/** Between two looks at the clock, which tell whether the page itself stood still [ms]. */
+export const kLook = 250;
+/** A look that is late by more [ms]: the page was busy, and an answer may have waited for it. */
+export const kBusy = 500;
+/** By more than that [ms]: the device slept, and its network is not back at once. */
+export const kAsleep = 5000;
 
 export interface ReachOptions {
   readonly fetcher: typeof fetch;
+  /** [ms], also while the device sleeps. */
+  readonly now: () => number;
   /** Calls `act` each so many ms; the result ends that. */
   readonly every: (time: number, act: () => void) => () => void;
   /** A signal that aborts after so many ms. */
   readonly timeout: (time: number) => AbortSignal;
   /** Whether somebody can see the page: only then it asks. */
   readonly isSeen: () => boolean;
+  /** Whether there is a connection that may be lost. */
+  readonly isOpen: () => boolean;
   readonly onLost: () => void;
+  /** Of each answer after that, until the connection is open. */
+  readonly onBack: () => void;
 }
 
-/** Asks from now on; the result ends that. One question at a time; `onLost` is told of the second in a row that is not answered in time, and of each that follows. */
-export function watchReach({ fetcher, every, timeout, isSeen, onLost }: ReachOptions): () => void {
+export interface Reach {
+  /** The server has sent something: as good as an answer. */
+  readonly heard: () => void;
+  readonly end: () => void;
+}
+
+/** Asks from now on, one question at a time. `onLost` is told of the second in a row that is not answered in time, and of each that follows while a connection is open. */
+export function watchReach({ fetcher, now, every, timeout, isSeen, isOpen, onLost, onBack }: ReachOptions): Reach {
   let asks = false;
   let failed = 0;
-  /** Of a page that was not seen meanwhile, the device may have slept: that says nothing. */
-  const count = (isLost: boolean): void => {
-    failed = isLost && isSeen() ? failed + 1 : 0;
-    if (failed >= kFailures) onLost();
-  };
+  let isLost = false;
+  /** Messages that were not looked for yet. */
+  let heard = 0;
+  let wasBusy = false;
+  let looked = now();
+
+  function look(): void {
+    const late = now() - looked - kLook;
+    looked = now();
+    if (late > kBusy) wasBusy = true;
+    if (late > kAsleep) failed = 0;
+  }
+  function hasHeard(): boolean {
+    const has = heard > 0;
+    heard = 0;
+    return has;
+  }
+  function answered(): void {
+    failed = 0;
+    if (isLost && isOpen()) isLost = false;
+    else if (isLost) onBack();
+  }
+  /** What happened to a page that was not seen, or stood still, says nothing of the server. */
+  function unanswered(): void {
+    look();
+    if (!isSeen()) failed = 0;
+    else if (!wasBusy) failed++;
+    if (failed < kFailures || !isOpen()) return;
+    isLost = true;
+    onLost();
+  }
   async function ask(): Promise<void> {
-    if (asks || !isSeen()) return;
+    if (asks || !isSeen() || !(isOpen() || isLost)) return;
+    if (hasHeard()) {
+      answered();
+      return;
+    }
     asks = true;
+    wasBusy = false;
     try {
       await fetcher("/api/v1/health", { cache: "no-store", signal: timeout(kPatience) });
-      count(false);
+      answered();
     } catch {
       // Refused at once, or silence: the same.
-      count(true);
+      if (hasHeard()) answered();
+      else unanswered();
     } finally {
       asks = false;
     }
   }
-  return every(kAsk, () => void ask());
+  const ends = [every(kLook, look), every(kAsk, () => void ask())];
+  return { heard: () => void heard++, end: () => ends.forEach((end) => end()) };
 }

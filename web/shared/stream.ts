@@ -49,6 +49,9 @@ export function resubscriptions(wanted: ReadonlySet<string>, seen: ReadonlyMap<s
   return [{ type: "gather" }, ...subscriptions];
 }
 
+/** A connection that is not open after so long is given up: on a silent network, the next one is open sooner than this one [ms]. */
+export const kConnect = 4000;
+
 /** RFC 6455, 7.4.1: the server ends, and says so. */
 const kGoingAway = 1001;
 
@@ -65,6 +68,10 @@ export function openStream(url: () => string | Promise<string>, handlers: Stream
   /** The next attempt to connect does not wait. */
   let hurries = false;
   let again: ReturnType<typeof setTimeout> | undefined;
+  /** Ends the attempt that goes on. */
+  let limit: ReturnType<typeof setTimeout> | undefined;
+  /** Of attempts: an address that comes late is for none that was given up. */
+  let attempts = 0;
   let display: DisplayRequest | undefined;
 
   const send = (request: Exact<StreamRequest>): boolean => {
@@ -93,6 +100,8 @@ export function openStream(url: () => string | Promise<string>, handlers: Stream
 
   const lose = (ended = false) => {
     if (closed) return;
+    clearTimeout(limit);
+    attempts++;
     handlers.onConnection("lost", ended);
     again = setTimeout(connect, hurries ? 0 : reconnectDelay(attempt++));
     hurries = false;
@@ -100,14 +109,25 @@ export function openStream(url: () => string | Promise<string>, handlers: Stream
 
   const connect = () => {
     again = undefined;
+    const mine = ++attempts;
+    const isMine = () => mine === attempts && !closed;
+    limit = setTimeout(giveUp, kConnect);
     handlers.onConnection("connecting");
     try {
       const at = url();
       if (typeof at === "string") connectTo(at);
-      else at.then((given) => closed || connectTo(given), () => lose());
+      else at.then((given) => isMine() && connectTo(given), () => isMine() && lose());
     } catch {
       lose();
     }
+  };
+
+  /** Whatever its socket says later, it is of the past. */
+  const giveUp = () => {
+    const abandoned = socket;
+    socket = undefined;
+    abandoned?.close();
+    lose();
   };
 
   const connectTo = (address: string) => {
@@ -116,6 +136,7 @@ export function openStream(url: () => string | Promise<string>, handlers: Stream
     opened.onopen = () => {
       if (socket !== opened) return;
       attempt = 0;
+      clearTimeout(limit);
       if (display !== undefined) send(display);
       resubscriptions(wanted, seen).forEach(send);
       handlers.onConnection("open");
@@ -159,14 +180,12 @@ export function openStream(url: () => string | Promise<string>, handlers: Stream
       }
     },
     abandon() {
-      if (again !== undefined || socket === undefined) return;
-      const abandoned = socket;
-      socket = undefined;
-      abandoned.close();
-      lose();
+      if (again === undefined && socket !== undefined) giveUp();
     },
     close() {
       closed = true;
+      clearTimeout(again);
+      clearTimeout(limit);
       socket?.close();
     },
   };

@@ -1,84 +1,157 @@
-// Whether the server answers.
-import { describe, expect, it } from "vitest";
-import { kAsk, kPatience, watchReach } from "../shared/reach";
+// Whether the server answers, on a page whose clock is of the test.
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { kAsk, kFailures, kPatience, watchReach } from "../shared/reach";
 
-function fixture(answer: () => Promise<Response>, isSeen = () => true) {
-  let tick = (): void => undefined;
-  let [asked, lost] = [0, 0];
-  watchReach({
-    fetcher: () => {
-      asked++;
-      return answer();
+beforeEach(() => void vi.useFakeTimers());
+afterEach(() => void vi.useRealTimers());
+
+/** Until silence is certain, and a little more [ms]. */
+const kCertain = kAsk + kFailures * (kPatience + kAsk);
+
+const there = () => Promise.resolve(new Response("", { status: 503 }));
+const refused = () => Promise.reject(new TypeError("Failed to fetch"));
+
+function fixture(first: () => Promise<Response>) {
+  const state = { answer: first, isSeen: true, isOpen: true, asked: 0, lost: 0, back: 0, losesConnection: true };
+  const reach = watchReach({
+    // Silence ends with the signal.
+    fetcher: (_, init) => {
+      state.asked++;
+      const silence = new Promise<Response>((_resolve, reject) => init?.signal?.addEventListener("abort", () => reject(new TypeError("aborted"))));
+      return Promise.race([state.answer(), silence]);
     },
+    now: () => Date.now(),
     every: (time, act) => {
-      expect(time).toBe(kAsk);
-      tick = act;
-      return () => (tick = () => undefined);
+      const timer = setInterval(act, time);
+      return () => clearInterval(timer);
     },
     timeout: (time) => {
-      expect(time).toBe(kPatience);
-      return new AbortController().signal;
+      const aborts = new AbortController();
+      setTimeout(() => aborts.abort(), time);
+      return aborts.signal;
     },
-    isSeen,
-    onLost: () => void lost++,
+    isSeen: () => state.isSeen,
+    isOpen: () => state.isOpen,
+    onLost: () => {
+      state.lost++;
+      if (state.losesConnection) state.isOpen = false;
+    },
+    onBack: () => {
+      state.back++;
+      state.isOpen = true;
+    },
   });
-  return {
-    async tick() {
-      tick();
-      for (let i = 0; i < 5; i++) await Promise.resolve();
-    },
-    asked: () => asked,
-    lost: () => lost,
-  };
+  return { state, reach };
 }
+
+const silent = () => new Promise<Response>(() => undefined);
+const wait = (time: number) => vi.advanceTimersByTimeAsync(time);
+/** The page does nothing for so long, and then all that was due. */
+const standStill = (time: number) => void vi.setSystemTime(Date.now() + time);
 
 describe("the reach of a server", () => {
   it("is there while it answers, whatever it answers", async () => {
-    const f = fixture(() => Promise.resolve(new Response("", { status: 503 })));
-    for (let i = 0; i < 3; i++) await f.tick();
-    expect([f.asked(), f.lost()]).toEqual([3, 0]);
+    const { state } = fixture(there);
+    await wait(3 * kAsk);
+    expect(state).toMatchObject({ asked: 3, lost: 0 });
   });
 
-  it("is lost when two questions in a row fail, and told of each that follows", async () => {
-    const f = fixture(() => Promise.reject(new TypeError("Failed to fetch")));
-    await f.tick();
-    expect(f.lost()).toBe(0);
-    for (let i = 0; i < 2; i++) await f.tick();
-    expect([f.asked(), f.lost()]).toEqual([3, 2]);
+  it("is lost when two questions in a row fail, and told of each that follows while a connection is open", async () => {
+    const { state } = fixture(refused);
+    state.losesConnection = false;
+    await wait(kAsk);
+    expect(state.lost).toBe(0);
+    await wait(2 * kAsk);
+    expect(state).toMatchObject({ asked: 3, lost: 2 });
   });
 
-  it("is there when a single one fails between two that are answered", async () => {
-    let asked = 0;
-    const f = fixture(() => (asked++ % 2 === 0 ? Promise.reject(new TypeError("Failed to fetch")) : Promise.resolve(new Response(""))));
-    for (let i = 0; i < 6; i++) await f.tick();
-    expect([f.asked(), f.lost()]).toEqual([6, 0]);
+  it("is lost by silence within some seconds, and back with the first answer", async () => {
+    const { state } = fixture(silent);
+    await wait(kPatience);
+    expect(state.lost).toBe(0);
+    await wait(kCertain - kPatience);
+    expect(state).toMatchObject({ lost: 1, back: 0 });
+    state.answer = there;
+    await wait(kPatience + 2 * kAsk);
+    expect(state).toMatchObject({ lost: 1, back: 1, isOpen: true });
+    await wait(3 * kAsk);
+    expect(state.back).toBe(1);
   });
 
-  it("is not lost by a question during which nobody saw the page", async () => {
-    let seen = true;
-    const f = fixture(
-      () => {
-        seen = false;
-        return Promise.reject(new TypeError("aborted"));
-      },
-      () => seen,
-    );
-    for (let i = 0; i < 3; i++) {
-      seen = true;
-      await f.tick();
+  it("is there when a single question fails between two that are answered", async () => {
+    const { state } = fixture(() => (state.asked % 2 === 0 ? refused() : there()));
+    await wait(6 * kAsk);
+    expect(state).toMatchObject({ asked: 6, lost: 0 });
+  });
+
+  it("is there while it sends something, though it answers no question", async () => {
+    const { state, reach } = fixture(silent);
+    for (let i = 0; i < 40; i++) {
+      reach.heard();
+      await wait(kAsk / 2);
     }
-    expect([f.asked(), f.lost()]).toEqual([3, 0]);
+    expect(state.lost).toBe(0);
+  });
+
+  it("is there when it sends something during the second question", async () => {
+    const { state, reach } = fixture(silent);
+    await wait(2 * kPatience + kAsk / 2);
+    reach.heard();
+    await wait(kPatience - 100);
+    expect(state).toMatchObject({ asked: 2, lost: 0 });
+  });
+
+  it("is not lost by questions during which nobody saw the page", async () => {
+    const { state } = fixture(() => {
+      state.isSeen = false;
+      return refused();
+    });
+    for (let i = 0; i < 3; i++) {
+      state.isSeen = true;
+      await wait(kAsk);
+    }
+    expect(state).toMatchObject({ asked: 3, lost: 0 });
+  });
+
+  it("is not lost by questions during which the page was busy", async () => {
+    const { state } = fixture(silent);
+    for (let i = 0; i < 8; i++) {
+      await wait(kPatience / 2);
+      standStill(kPatience);
+    }
+    expect(state.lost).toBe(0);
+    // Then it is not busy any more.
+    await wait(kCertain + kPatience);
+    expect(state.lost).toBe(1);
+  });
+
+  it("is not lost by one question before the device slept and one after it", async () => {
+    const { state } = fixture(refused);
+    await wait(kAsk);
+    standStill(3_600_000);
+    await wait(kAsk);
+    expect(state).toMatchObject({ asked: 2, lost: 0 });
+    state.answer = there;
+    await wait(3 * kAsk);
+    expect(state.lost).toBe(0);
   });
 
   it("has one question at a time", async () => {
-    const f = fixture(() => new Promise(() => undefined));
-    for (let i = 0; i < 3; i++) await f.tick();
-    expect(f.asked()).toBe(1);
+    const { state } = fixture(silent);
+    await wait(kAsk + kPatience - 1);
+    expect(state.asked).toBe(1);
   });
 
-  it("asks nothing while nobody sees the page", async () => {
-    const f = fixture(() => Promise.reject(new TypeError("Failed to fetch")), () => false);
-    await f.tick();
-    expect([f.asked(), f.lost()]).toEqual([0, 0]);
+  it("asks nothing while nobody sees the page, or its connection is lost by itself, or it has ended", async () => {
+    const { state, reach } = fixture(refused);
+    state.isSeen = false;
+    await wait(3 * kAsk);
+    state.isSeen = true;
+    state.isOpen = false;
+    await wait(3 * kAsk);
+    state.isOpen = true;
+    reach.end();
+    await wait(3 * kAsk);
+    expect(state).toMatchObject({ asked: 0, lost: 0 });
   });
 });

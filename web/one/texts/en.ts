@@ -6,7 +6,8 @@ const several = (count: number, one: string, more: string): string => (count ===
 export const en = {
   frame: {
     brand: { name: "RACE", page: "One" },
-    lost: "The server is not there. The page tries again; what you change now is sent when it is back.",
+    lostTitle: "Server lost",
+    lost: "The server does not answer. What you moved by hand has stopped; a run may go on, and this page does not see it. The page tries again by itself; what you change now is sent when the server is back.",
     /** Why something cannot be done now. */
     away: "the server is not there",
     closeMessage: "Close this message",
