@@ -1,4 +1,5 @@
 // What a newcomer meets: an empty page with tasks to start, and the way to a phone.
+import type { Page } from "playwright-core";
 import { findings } from "./axe";
 import { readCode } from "./qrCode";
 import { openFixture, settled, type Fixture } from "./fixture";
@@ -66,5 +67,40 @@ describe("the page without a run", () => {
     await page.goto(`${fixture.url}/pro/`);
     await card("waiting").getByRole("button", { name: "Open" }).click();
     await expect.poll(() => new URL(page.url()).searchParams.get("edit"), kSoon).toBe("waiting");
+  });
+
+  it.each([
+    ["a card of the expert page", "/pro/", (on: Page) => on.getByRole("list", { name: "Tasks" }).getByRole("listitem", { name: "waiting", exact: true }).getByRole("button", { name: "Start" })],
+    ["RACE-One", "/one/?edit=waiting#run", (on: Page) => on.getByRole("button", { name: "Start", exact: true })],
+    ["a phone", "/display/?name=phone1#run", (on: Page) => on.getByRole("button", { name: "Start waiting" })],
+  ] as const)("makes one run by a double click in %s, of a server that is fast or late", async (_name, path, startOf) => {
+    const page = await (await fixture.openContext({ viewport: { width: 1366, height: 768 }, reducedMotion: "reduce" })).newPage();
+    page.setDefaultTimeout(20_000);
+    const runs = async () => ((await fixture.send("GET", "/cores")) as { readonly cores: readonly { readonly id: string; readonly status: string; readonly paused: boolean }[] }).cores;
+    for (const late of [0, 700]) {
+      await page.unrouteAll({ behavior: "wait" });
+      await page.route("**/api/v1/cores", async (route) => {
+        await new Promise((resolve) => setTimeout(resolve, late));
+        await route.continue();
+      });
+      await page.goto("about:blank");
+      await page.goto(`${fixture.url}${path}`);
+      const start = startOf(page);
+      await start.waitFor();
+      await expect.poll(() => start.isEnabled(), kSoon).toBe(true);
+      const box = await start.boundingBox();
+      if (box === null) throw new Error("there is no button");
+      await page.mouse.dblclick(box.x + box.width / 2, box.y + box.height / 2, { delay: 40 });
+      await expect.poll(async () => (await runs()).map(({ status }) => status), kSoon).toEqual(["running"]);
+      await page.waitForTimeout(late + 1500);
+      const all = await runs();
+      // The second click did not press what came in the place of the button, either.
+      expect(all.map(({ status, paused }) => [status, paused])).toEqual([["running", false]]);
+      for (const { id } of all) {
+        await fixture.send("POST", `/cores/${id}/stop`);
+        await fixture.send("DELETE", `/cores/${id}`);
+      }
+    }
+    await page.context().close();
   });
 });

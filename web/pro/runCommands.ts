@@ -7,6 +7,7 @@ import type { Command, UntilRequest } from "../shared/run/controls";
 import { watchedCore } from "../shared/session/session";
 import { api, problem, session, view, sourceOf, watch } from "./client";
 import { isSupervised } from "../control/supervised";
+import { goOnce, makeOnce } from "../page/starting";
 
 /** What a run gets before this page lets it go on. */
 let arm: (core: Core) => Promise<void> = () => Promise.resolve();
@@ -40,15 +41,17 @@ export async function run(command: Command, until?: UntilRequest): Promise<void>
     switch (command) {
       case "start":
       case "resume":
-        await arm(core);
-        await api[command](core.id, isSupervised());
+        await goOnce(async () => {
+          await arm(core);
+          await api[command](core.id, isSupervised());
+        });
         return;
       case "pause":
       case "stop":
         await api[command](core.id);
         return;
       case "again":
-        await makeRun(core.document, true, await api.runArguments(core.id, sourceOf(session.get())));
+        await makeOnce(async () => makeRun(core.document, true, await api.runArguments(core.id, sourceOf(session.get()))));
         return;
       case "micro":
       case "macro":

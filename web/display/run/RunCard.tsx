@@ -1,5 +1,6 @@
 // The run that is shown: what it does now, and what can be done with it.
 import type { Core } from "../../generated/messages";
+import { useIsMaking } from "../../page/starting";
 import { activityOf, wordsOf } from "../../shared/pendant/activity";
 import { allowed, goesOnMeanwhile, isOver, primary, statusLook, statusText, type Command } from "../../shared/run/controls";
 import { interruptionText } from "../../shared/run/interruption";
@@ -51,9 +52,10 @@ function CommandButton({ command, isFirst }: { readonly command: Shown; readonly
   const ofCommand = useRefusalOfCommand(command satisfies Command);
   const toStart = useRefusalToStart();
   const refusal = command === "again" ? toStart : ofCommand;
+  const starting = useIsMaking() && command !== "pause" && command !== "stop";
   return (
     <>
-      <button type="button" className={isFirst ? "choice" : "plain"} disabled={refusal !== undefined} title={refusal} onClick={() => run(command)}>
+      <button type="button" className={isFirst ? "choice" : "plain"} disabled={starting || refusal !== undefined} title={refusal} onClick={() => run(command)}>
         {kNames[command]}
       </button>
       {refusal !== undefined && <small className="soft">{kNames[command]}: {refusal}.</small>}

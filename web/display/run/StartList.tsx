@@ -3,6 +3,7 @@ import { starters } from "../../shared/documents/starters";
 import { errorCount } from "../../shared/session/draft";
 import { wordsOf } from "../../shared/pendant/activity";
 import { isOwn } from "../../shared/control/texts";
+import { useIsMaking } from "../../page/starting";
 import { useStop } from "../../stop/useStop";
 import { useRefusalToStart, useSession } from "../client";
 import { startDocument } from "./runs";
@@ -11,6 +12,7 @@ import { supervise, useSupervised } from "../../control/supervised";
 export function StartList() {
   const documents = useSession((now) => now.documents);
   const refusal = useRefusalToStart();
+  const starting = useIsMaking();
   const shown = starters(documents, documents.length).filter((each) => errorCount(each) === 0);
   return (
     <section aria-label="Start a task">
@@ -21,7 +23,7 @@ export function StartList() {
       <ul className="runs">
         {shown.map(({ name, doc }) => (
           <li key={name}>
-            <button type="button" className="plain" aria-label={`Start ${name}`} disabled={refusal !== undefined} title={refusal} onClick={() => startDocument(name)}>
+            <button type="button" className="plain" aria-label={`Start ${name}`} disabled={starting || refusal !== undefined} title={refusal} onClick={() => startDocument(name)}>
               <b>{wordsOf(name)}</b> {doc !== undefined && <small>{doc}</small>}
             </button>
           </li>

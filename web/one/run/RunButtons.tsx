@@ -1,4 +1,5 @@
 // Begins, holds and ends the run.
+import { isSamePress, makeOnce, useIsMaking } from "../../page/starting";
 import { allowed, kEffects, type Command } from "../../shared/run/controls";
 import { api, attempt, useCore, useRefusalOfCommand, useSession } from "../client";
 import { useEditing } from "../editing";
@@ -19,14 +20,16 @@ export function RunButtons({ name }: { readonly name: string }) {
   const isNew = core === undefined || commands.has("again");
   const [problem] = problems;
   const notReady = !isNew || (problem === undefined && errors === 0) ? undefined : (problem?.text ?? t.hasErrors);
-  const run = (command: "start" | "pause" | "resume" | "stop") => void attempt(async () => core !== undefined && (await api[command](core.id)));
+  const starting = useIsMaking();
+  const run = (command: "start" | "pause" | "resume" | "stop") => attempt(async () => core !== undefined && (await api[command](core.id)));
+  const startOnce = (act: () => Promise<void>) => void makeOnce(act);
   return (
     <section className="run-buttons" aria-label={t.buttons}>
-      {isNew && <RunButton command="again" name={core === undefined ? t.start : t.startAgain} isMain disabled={lost || notReady !== undefined} act={() => void attempt(() => begin(name))} />}
-      {commands.has("start") && <RunButton command="start" name={t.start} isMain disabled={lost} act={() => run("start")} />}
-      {commands.has("resume") && <RunButton command="resume" name={t.goOn} isMain disabled={lost} act={() => run("resume")} />}
-      {commands.has("pause") && <RunButton command="pause" name={t.pause} hint={kEffects.pause} disabled={lost} act={() => run("pause")} />}
-      {commands.has("stop") && <RunButton command="stop" name={t.end} hint={kEffects.stop} disabled={lost} act={() => run("stop")} />}
+      {isNew && <RunButton command="again" name={core === undefined ? t.start : t.startAgain} isMain disabled={lost || starting || notReady !== undefined} act={() => startOnce(() => attempt(() => begin(name)))} />}
+      {commands.has("start") && <RunButton command="start" name={t.start} isMain disabled={lost || starting} act={() => startOnce(() => run("start"))} />}
+      {commands.has("resume") && <RunButton command="resume" name={t.goOn} isMain disabled={lost || starting} act={() => startOnce(() => run("resume"))} />}
+      {commands.has("pause") && <RunButton command="pause" name={t.pause} hint={kEffects.pause} disabled={lost} act={() => isSamePress() || void run("pause")} />}
+      {commands.has("stop") && <RunButton command="stop" name={t.end} hint={kEffects.stop} disabled={lost} act={() => void run("stop")} />}
       {notReady !== undefined && (
         <p>
           {t.incomplete(notReady)}{" "}

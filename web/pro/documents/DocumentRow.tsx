@@ -4,6 +4,7 @@ import type { DocumentSummary } from "../../generated/messages";
 import { freeDocumentName } from "../../shared/documents/names";
 import { errorsText } from "../../shared/run/errorsText";
 import { errorCount, refusalToStart } from "../../shared/session/draft";
+import { useIsMaking } from "../../page/starting";
 import { useRefusal } from "../login/rights";
 import { CodeText } from "../panels/CodeText";
 import { download, duplicate, edit, editWithHistory, makeRun, remove } from "./actions";
@@ -21,6 +22,7 @@ export function DocumentRow({ document, taken, offline }: Props) {
   const { name, revision, doc } = document;
   const [asked, ask] = useState<"name" | "delete">();
   const { attempt, reason, busy } = useAttempt();
+  const starting = useIsMaking();
   const disabled = offline || busy;
   const errors = errorCount(document);
   const mayRun = useRefusal("make_run");
@@ -42,7 +44,7 @@ export function DocumentRow({ document, taken, offline }: Props) {
         </p>
       )}
       <div className="document-actions">
-        <button type="button" disabled={disabled || refusal !== undefined} title={refusal} onClick={() => void makeRun(name)}>
+        <button type="button" disabled={disabled || starting || refusal !== undefined} title={refusal} onClick={() => void makeRun(name)}>
           New run
         </button>
         <button type="button" disabled={disabled || mayBranch !== undefined} title={mayBranch} aria-expanded={asked === "name"} onClick={() => ask("name")}>

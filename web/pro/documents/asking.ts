@@ -3,6 +3,7 @@ import { areOptional, type RunParameter } from "../../shared/arguments/parameter
 import { attempt } from "../client";
 import { makeRun, parametersOf } from "../runCommands";
 import { makeStarted } from "../panels/startAsk";
+import { makeOnce } from "../../page/starting";
 import { createStore, useSelected } from "../../page/store";
 
 export interface Asked {
@@ -20,9 +21,11 @@ export const closeForm = (): void => store.dispatch(undefined);
 
 /** Makes a run of the document as it is now, and starts it if asked; asks for arguments if it needs some, or if it has parameters and is to ask `always`. */
 export const requestRun = (document: string, always: boolean, start = false): Promise<void> =>
-  attempt(async () => {
-    const parameters = await parametersOf(document);
-    if (parameters.length > 0 && (always || !areOptional(parameters))) store.dispatch({ document, parameters });
-    else if (start) await makeStarted(document, {});
-    else await makeRun(document, false, {});
-  });
+  makeOnce(() =>
+    attempt(async () => {
+      const parameters = await parametersOf(document);
+      if (parameters.length > 0 && (always || !areOptional(parameters))) store.dispatch({ document, parameters });
+      else if (start) await makeStarted(document, {});
+      else await makeRun(document, false, {});
+    }),
+  );

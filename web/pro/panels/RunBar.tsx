@@ -11,6 +11,7 @@ import { openDocument, useEditing } from "../edit/editing";
 import { StepButtons } from "../debugger/StepButtons";
 import { useRefusalOfCommand } from "../login/rights";
 import { PastButtons } from "../past/PastButtons";
+import { useIsGoing, useIsMaking } from "../../page/starting";
 import { Icon, type IconName } from "./Icon";
 import { usePersonStatus } from "./question";
 import { StatusWord } from "./StatusWord";
@@ -83,12 +84,14 @@ interface RunButtonProps {
 
 function RunButton({ spec, taken }: RunButtonProps) {
   const refusal = useRefusalOfCommand(spec.command);
+  const [making, going] = [useIsMaking(), useIsGoing()];
+  const isOnItsWay = spec.command === "again" ? making : (spec.command === "start" || spec.command === "resume") && going;
   const says = refusal ?? spec.says;
   return (
     <button
       type="button"
       className={`run-button run-${spec.command}`}
-      disabled={!taken || refusal !== undefined}
+      disabled={!taken || isOnItsWay || refusal !== undefined}
       aria-label={spec.name}
       title={`${spec.name} (${keysOf(spec.key)})${says === undefined ? "" : `: ${says}`}`}
       aria-keyshortcuts={keysOf(spec.key)}

@@ -8,6 +8,7 @@ import { api } from "../client";
 import { StateFigure, type Pictured } from "../canvas/StateFigure";
 import { edit } from "../documents/actions";
 import { requestRun } from "../documents/asking";
+import { useIsMaking } from "../../page/starting";
 import { useRefusalToStart } from "../login/rights";
 import { CodeText } from "../panels/CodeText";
 
@@ -27,6 +28,7 @@ export function DocumentCard({ document, offline }: Props) {
   const { name, doc } = document;
   const errors = errorCount(document);
   const [pictured, setPictured] = useState<Pictured>();
+  const starting = useIsMaking();
   const refusal = useRefusalToStart() ?? refusalToStart(document);
   useEffect(() => {
     if (errors > 0) return;
@@ -41,7 +43,7 @@ export function DocumentCard({ document, offline }: Props) {
       <h3>{name}</h3>
       <p>{doc === undefined ? "It has no description." : <CodeText text={doc} />}</p>
       <div className="start-actions">
-        <button type="button" className="lead" disabled={offline || refusal !== undefined} title={refusal} onClick={() => void requestRun(name, false, true)}>
+        <button type="button" className="lead" disabled={offline || starting || refusal !== undefined} title={refusal} onClick={() => void requestRun(name, false, true)}>
           Start
         </button>
         <button type="button" disabled={offline} onClick={() => edit(name)}>
