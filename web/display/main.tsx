@@ -10,6 +10,7 @@ import "../stop/stop.css";
 import "../control/control.css";
 import { createRoot } from "react-dom/client";
 import { followControls } from "../control/page";
+import { keepFocus } from "../page/keepFocus";
 import { showStop } from "../stop/show";
 import { App } from "./App";
 import { connect, ownName } from "./client";
@@ -18,6 +19,7 @@ import { followPerson } from "./person";
 
 showStop();
 followControls();
+keepFocus();
 const element = document.getElementById("root");
 if (element === null) throw new Error("the page has no #root");
 const root = createRoot(element);

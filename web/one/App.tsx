@@ -7,6 +7,7 @@ import { Applications } from "./Applications";
 import { Build } from "./Build";
 import { access, dismissProblem, logIn, ownControls, robotSpeed, useLogin, useRefusal, useSession } from "./client";
 import { Guide } from "./guide/Guide";
+import { useLeft } from "./guide/useLeft";
 import { Head } from "./Head";
 import { LeaveQuestion } from "./LeaveQuestion";
 import { usePlace } from "./place";
@@ -31,6 +32,7 @@ function Page() {
   const guide = usePlace((place) => place.guide);
   // It is set there, whatever it is.
   const isRun = edit !== undefined && (guide === undefined ? view === "run" : guide === "run");
+  useLeft(guide !== undefined);
   const lost = useSession((s) => s.connection === "lost");
   const away = useSession((s) => (s.connection === "open" ? undefined : texts.frame.away));
   const [reset, take, answer, speed] = [useRefusal("reset_stop"), useRefusal("take_controls"), useRefusal("answer_control"), useRefusal("set_speed")];

@@ -7,20 +7,11 @@ import { everyStep, useApplication, useSelected } from "./model";
 import { StepPanel } from "./step/StepPanel";
 import { TaskPanel } from "./step/TaskPanel";
 import { Tasks } from "./line/Tasks";
-import { place } from "./place";
-import { focusCard } from "./select";
-import { useSheet, showSheet } from "./sheet";
+import { closeSheet } from "./closeSheet";
+import { liesOver, useSheet } from "./sheet";
 import { texts } from "./texts";
 
 const t = texts.build;
-
-/** The focus goes back to the card of what was shown. */
-function closePanel(): void {
-  showSheet(undefined);
-  const { step, task } = place();
-  const shown = step ?? task;
-  if (shown !== undefined) focusCard(shown);
-}
 
 export function Build({ name }: { readonly name: string }) {
   const application = useApplication();
@@ -32,9 +23,8 @@ export function Build({ name }: { readonly name: string }) {
     addEventListener("keydown", handleKey);
     return () => removeEventListener("keydown", handleKey);
   }, []);
-  // On a small screen the panel lies over the tasks: who opens it is led into it.
   useEffect(() => {
-    if (sheet === "panel" && panel !== null && getComputedStyle(panel).position === "absolute") panel.focus();
+    if (sheet === "panel" && panel !== null && liesOver(panel)) panel.focus();
   }, [sheet, panel]);
   if (unreadable !== undefined) return <main className="build-empty"><h2>{t.unreadable(name)}</h2><p>{unreadable.message}</p></main>;
   if (application === undefined) return <main className="build-empty"><p role="status">{t.opening(name)}</p></main>;
@@ -44,7 +34,7 @@ export function Build({ name }: { readonly name: string }) {
       {canAdd && <SkillLibrary />}
       <Tasks application={application} />
       <aside className="panel" aria-label={t.selected} tabIndex={-1} ref={setPanel}>
-        <button type="button" className="plain sheet-close" aria-label={t.close} onClick={closePanel}>
+        <button type="button" className="plain sheet-close" aria-label={t.close} onClick={closeSheet}>
           ✕
         </button>
         {selected === undefined ? (

@@ -1,5 +1,5 @@
 // The question before an application is left whose edits the server has not taken.
-import { useEffect, useRef } from "react";
+import { useModal } from "../page/useModal";
 import { useEditing } from "./editing";
 import { leaveNow, stay, useIsLeaving } from "./leaving";
 import { texts } from "./texts";
@@ -11,9 +11,8 @@ export function LeaveQuestion() {
 }
 
 function Question() {
-  const dialog = useRef<HTMLDialogElement>(null);
+  const dialog = useModal();
   const edits = useEditing((now) => now.session?.pending.length ?? 0);
-  useEffect(() => dialog.current?.showModal(), []);
   const isSaved = edits === 0;
   return (
     <dialog ref={dialog} className="leaving" role="alertdialog" aria-labelledby="leaving-title" aria-describedby="leaving-means" onClose={stay}>
@@ -22,7 +21,7 @@ function Question() {
         <p id="leaving-means">{isSaved ? t.saved : t.lost}</p>
       </div>
       <div className="buttons">
-        <button type="button" className="main" onClick={() => dialog.current?.close()}>
+        <button type="button" className="main" data-first onClick={() => dialog.current?.close()}>
           {t.stay}
         </button>
         <button type="button" className={isSaved ? "" : "danger"} onClick={leaveNow}>

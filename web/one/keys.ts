@@ -1,8 +1,8 @@
 // The keys of the view in which an application is built; everything they do has a button, too.
 import { duplicateSelected, moveSelected, removeSelected } from "./step/actions";
+import { closeSheet } from "./closeSheet";
 import { takeBack } from "./editing";
 import { select } from "./select";
-import { showSheet } from "./sheet";
 
 const isTyping = (target: EventTarget | null): boolean => target instanceof HTMLElement && (target.matches("input:not([type=range], [type=checkbox], [type=radio]), textarea, select") || target.isContentEditable);
 
@@ -19,7 +19,7 @@ const kWithAlt: Readonly<Record<string, () => void>> = { ArrowLeft: () => moveSe
 export function handleKey(event: KeyboardEvent): void {
   if (event.defaultPrevented || document.querySelector("dialog[open]") !== null) return;
   const act = (): (() => void) | undefined => {
-    if (event.key === "Escape") return () => showSheet(undefined);
+    if (event.key === "Escape") return closeSheet;
     if (isTyping(event.target)) return undefined;
     if ((event.ctrlKey || event.metaKey) && !event.altKey) return kWithControl[event.key];
     const card = cardOf(event.target);

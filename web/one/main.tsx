@@ -8,6 +8,7 @@ import "../control/control.css";
 import "./one.css";
 import { createRoot } from "react-dom/client";
 import { followControls } from "../control/page";
+import { keepFocus } from "../page/keepFocus";
 import { showStop } from "../stop/show";
 import { App, FirstLogin } from "./App";
 import { access, connect } from "./client";
@@ -15,6 +16,7 @@ import { followAddress } from "./place";
 
 showStop();
 followControls();
+keepFocus();
 const element = document.getElementById("root");
 if (element === null) throw new Error("the page has no #root");
 const root = createRoot(element);

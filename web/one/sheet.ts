@@ -4,5 +4,15 @@ import { createStore, useSelected } from "../page/store";
 export type Sheet = "library" | "panel";
 
 const store = createStore<Sheet | undefined, { readonly sheet: Sheet | undefined }>(undefined, (_, { sheet }) => sheet);
+/** Whether it is one now, on a small screen: who opens it is led into it. */
+export const liesOver = (element: HTMLElement): boolean => getComputedStyle(element).position === "absolute";
 export const useSheet = (): Sheet | undefined => useSelected(store, (sheet) => sheet);
-export const showSheet = (sheet: Sheet | undefined): void => store.dispatch({ sheet });
+
+/** What had the focus when the first of them was opened. */
+let opener: HTMLElement | undefined;
+export const openerOfSheet = (): HTMLElement | undefined => (opener?.isConnected === true ? opener : undefined);
+
+export function showSheet(sheet: Sheet | undefined): void {
+  if (store.get() === undefined) opener = document.activeElement instanceof HTMLElement ? document.activeElement : undefined;
+  store.dispatch({ sheet });
+}

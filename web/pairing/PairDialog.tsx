@@ -1,7 +1,8 @@
 // How a phone becomes a display and teach pendant: its name and place, what it may, and a code that it scans.
-import { useEffect, useRef, useState } from "react";
+import { useState } from "react";
 import type { Me, PairingCreate } from "../generated/messages";
 import type { Api } from "../shared/api";
+import { useModal } from "../page/useModal";
 import { isDisplayName, networkChoice, pairing } from "../shared/display/pairing";
 import { kRoleTexts } from "../shared/login/roles";
 import { useCode } from "./code";
@@ -24,13 +25,13 @@ const kDays = 30;
 const kRoles = ["operator", "observer"] as const;
 
 export function PairDialog({ api, me, refusal, onClose }: Props) {
-  const dialog = useRef<HTMLDialogElement>(null);
+  const dialog = useModal();
+  const close = () => dialog.current?.close();
   const [name, setName] = useState(kDefaultName);
   const [place, setPlace] = useState("");
   const [role, setRole] = useState<PairingCreate["role"]>("operator");
   const [chosen, setChosen] = useState<string>();
   const [attempt, setAttempt] = useState(0);
-  useEffect(() => dialog.current?.showModal(), []);
   const isName = isDisplayName(name);
   const isPlace = place === "" || isDisplayName(place);
   const shown = { name: isName ? name : kDefaultName, ...(isPlace && place !== "" && { place }) };
@@ -41,11 +42,11 @@ export function PairDialog({ api, me, refusal, onClose }: Props) {
   const network = origins.find((each) => each === chosen) ?? origins[0];
   const { address, trust, tunnel } = pairing(location, { ...shown, ...(code.kind === "there" && { code: code.code }) }, network);
   return (
-    <dialog ref={dialog} className="pairing" aria-label="Pair a phone" onClose={onClose} onClick={(event) => event.target === event.currentTarget && onClose()} onKeyDown={(event) => event.stopPropagation()}>
+    <dialog ref={dialog} className="pairing" aria-label="Pair a phone" onClose={onClose} onClick={(event) => event.target === event.currentTarget && close()} onKeyDown={(event) => event.stopPropagation()}>
       <div className="pairing-body">
         <div className="pairing-head">
           <h2>Pair a phone</h2>
-          <button type="button" aria-label="Close" onClick={onClose}>
+          <button type="button" aria-label="Close" onClick={close}>
             ✕
           </button>
         </div>

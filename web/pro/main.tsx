@@ -45,7 +45,7 @@ import { access, connect } from "./client";
 import { followBreakpoints } from "./debugger/breakpoints";
 import { followDerivations } from "./derivation/following";
 import { keepEdits, openFromAddress } from "./edit/editing";
-import { keepFocus } from "./keepFocus";
+import { keepFocus } from "../page/keepFocus";
 import { carryPlaces } from "./live/runTree";
 import { followPage } from "./pageAddress";
 import { followPlace } from "./placeAddress";

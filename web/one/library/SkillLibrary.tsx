@@ -2,9 +2,10 @@
 import { useEffect, useState } from "react";
 import { kCategories, searchSkills, type Category } from "../../shared/skills/skill";
 import { useSession } from "../client";
+import { closeSheet } from "../closeSheet";
 import { useDrag } from "../line/drag";
 import { Picture } from "../Picture";
-import { showSheet } from "../sheet";
+import { liesOver, useSheet } from "../sheet";
 import { loadSkills } from "../skills";
 import { addSelectedSkill, whereToAdd } from "../step/actions";
 import { useOffered, type Offered } from "./offered";
@@ -20,13 +21,18 @@ export function SkillLibrary() {
   const documents = useSession((s) => s.documents);
   const [query, setQuery] = useState("");
   useEffect(() => void loadSkills(), [documents]);
+  const sheet = useSheet();
+  const [aside, setAside] = useState<HTMLElement | null>(null);
+  useEffect(() => {
+    if (sheet === "library" && aside !== null && liesOver(aside)) aside.focus();
+  }, [sheet, aside]);
   const found = searchSkills(skills, query);
   const groups = [...kCategories, undefined].map((category) => ({ category, skills: found.filter((skill) => skill.category === category) }));
   return (
-    <aside className="skills" aria-label={t.title}>
+    <aside className="skills" aria-label={t.title} tabIndex={-1} ref={setAside}>
       <header>
         <h2>{t.title}</h2>
-        <button type="button" className="plain sheet-close" aria-label={t.close} onClick={() => showSheet(undefined)}>
+        <button type="button" className="plain sheet-close" aria-label={t.close} onClick={closeSheet}>
           ✕
         </button>
         <input type="search" aria-label={t.searchName} placeholder={t.search} value={query} onChange={(event) => setQuery(event.target.value)} />

@@ -60,7 +60,7 @@ function ReadyText({ problems, errors, first, isEmpty }: ReadyProps) {
 }
 
 function NewTask({ isFirst, at, root }: { readonly isFirst: boolean; readonly at: number; readonly root: string }) {
-  const [asks, setAsks] = useState(false);
+  const [asks, setAsks] = useState<boolean>();
   const [title, setTitle] = useState("");
   const make = (event: SubmitEvent) => {
     event.preventDefault();
@@ -71,14 +71,15 @@ function NewTask({ isFirst, at, root }: { readonly isFirst: boolean; readonly at
     setTitle("");
     showSheet("library");
   };
-  if (!isFirst && !asks)
+  if (!isFirst && asks !== true)
     return (
-      <button type="button" className="add-task" onClick={() => setAsks(true)}>
+      // After the form, it has the focus again.
+      <button type="button" className="add-task" autoFocus={asks === false} onClick={() => setAsks(true)}>
         {t.addTask}
       </button>
     );
   return (
-    <form className={isFirst ? "new-task is-first" : "new-task"} onSubmit={make}>
+    <form className={isFirst ? "new-task is-first" : "new-task"} onSubmit={make} onKeyDown={(event) => event.key === "Escape" && setAsks(false)}>
       {isFirst && (
         <>
           <h3>{t.firstTask}</h3>
@@ -86,7 +87,7 @@ function NewTask({ isFirst, at, root }: { readonly isFirst: boolean; readonly at
         </>
       )}
       <div>
-        <input aria-label={t.taskName} placeholder={t.taskHint} maxLength={40} autoFocus={asks} value={title} onChange={(event) => setTitle(event.target.value)} />
+        <input aria-label={t.taskName} placeholder={t.taskHint} maxLength={40} autoFocus={asks === true} value={title} onChange={(event) => setTitle(event.target.value)} />
         <button type="submit" className="main">
           {t.makeTask}
         </button>

@@ -1,5 +1,5 @@
 // The name of a taught pose, and how the arm stands there.
-import { lazy, Suspense, useState } from "react";
+import { lazy, Suspense, useState, type KeyboardEvent } from "react";
 import type { ExactJson } from "../../shared/edit/exact";
 import { reasonAgainstPose } from "../../shared/skills/form";
 import { useSession } from "../client";
@@ -35,11 +35,22 @@ export function PoseField({ id, label, disabled, value, set }: Props) {
     setTyped(name === kOther ? "" : undefined);
     if (name !== kOther) set(name);
   };
+  /** The list has the focus again. */
+  const endTyping = () => {
+    setTyped(undefined);
+    document.getElementById(id)?.focus();
+  };
   const take = () => {
     if (typed !== undefined && reasonAgainstPose(typed) === undefined) {
       set(typed);
-      setTyped(undefined);
+      endTyping();
     }
+  };
+  const press = (event: KeyboardEvent) => {
+    if (event.key === "Enter") take();
+    if (event.key !== "Escape") return;
+    event.stopPropagation();
+    endTyping();
   };
   return (
     <div className="pose">
@@ -54,7 +65,7 @@ export function PoseField({ id, label, disabled, value, set }: Props) {
       </select>
       {typed !== undefined && (
         <span className="add-text">
-          <input aria-label={t.name(label)} autoFocus placeholder={t.hint} maxLength={32} value={typed} onChange={(event) => setTyped(event.target.value)} onKeyDown={(event) => event.key === "Enter" && take()} />
+          <input aria-label={t.name(label)} autoFocus placeholder={t.hint} maxLength={32} value={typed} onChange={(event) => setTyped(event.target.value)} onKeyDown={press} />
           <button type="button" disabled={reasonAgainstPose(typed) !== undefined} onClick={take}>
             {t.use}
           </button>

@@ -1,5 +1,6 @@
 // The form for the arguments of a run; the keys of the page do nothing meanwhile. What is wrong stands under its field, and what the server refuses under them all; then nothing is made.
-import { useEffect, useRef, useState, type SyntheticEvent } from "react";
+import { useState, type SyntheticEvent } from "react";
+import { useModal } from "../../page/useModal";
 import { readArguments } from "../../shared/arguments/entry";
 import { useRefusalToStart } from "../login/rights";
 import { makeRun } from "../runCommands";
@@ -12,13 +13,12 @@ type Texts = Readonly<Record<string, string>>;
 const kNone: Texts = {};
 
 export function ArgumentsForm({ document, parameters }: Asked) {
-  const dialog = useRef<HTMLDialogElement>(null);
+  const dialog = useModal();
   const [texts, setTexts] = useState(kNone);
   const [problems, setProblems] = useState(kNone);
   const [refusal, setRefusal] = useState<string>();
   const [busy, setBusy] = useState(false);
   const cannotStart = useRefusalToStart();
-  useEffect(() => dialog.current?.showModal(), []);
 
   const close = () => dialog.current?.close();
   const change = (name: string, text: string) => {

@@ -1,5 +1,6 @@
 // The accounts of the server, over the page: opened from the account's menu, closed with Esc.
 import { useEffect, useRef, useState, type SubmitEvent } from "react";
+import { useModal } from "../../page/useModal";
 import type { Account } from "../../generated/messages";
 import { kRoles, kRoleTexts, type PersonRole } from "../../shared/login/roles";
 import { useLogin } from "../client";
@@ -15,11 +16,10 @@ const close = () => showAccounts(false);
 const roleFrom = (text: string): PersonRole => kRoles.find((role) => role === text) ?? "observer";
 
 function Panel() {
-  const dialog = useRef<HTMLDialogElement>(null);
+  const dialog = useModal();
   const { attempt, reason, busy } = useAttempt();
   const load = useRef(attempt);
   useEffect(() => {
-    dialog.current?.showModal();
     void load.current(loadAccounts);
   }, []);
   const accounts = useAccounts((now) => now.accounts);

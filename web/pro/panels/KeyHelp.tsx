@@ -1,5 +1,5 @@
 // All keys and mouse actions of the page, over it: opened with `?` or the button of the top bar, closed with Esc.
-import { useEffect, useRef } from "react";
+import { useModal } from "../../page/useModal";
 import { gestures, shortcuts } from "../../shared/session/shortcuts";
 import { actions } from "../edit/actions/registry";
 import { useView, view } from "../client";
@@ -63,8 +63,7 @@ export function KeyLists() {
 }
 
 function HelpDialog() {
-  const dialog = useRef<HTMLDialogElement>(null);
-  useEffect(() => dialog.current?.showModal(), []);
+  const dialog = useModal();
   return (
     <dialog ref={dialog} className="help" aria-label="Keys and mouse" onClose={close} onClick={(event) => event.target === event.currentTarget && close()}>
       <div className="help-body">

@@ -1,5 +1,6 @@
 // The stored runs, over the page: opened with the button of the top bar or by its address, closed with Esc.
 import { useEffect, useMemo, useRef, useState } from "react";
+import { useModal } from "../../page/useModal";
 import { countText, matchingRuns, type Outcome } from "../../shared/runs/list";
 import { useSession, useView } from "../client";
 import { useAttempt } from "../documents/useAttempt";
@@ -24,8 +25,7 @@ const kOutcomes: readonly { readonly outcome: Outcome; readonly name: string }[]
 ];
 
 function Panel() {
-  const dialog = useRef<HTMLDialogElement>(null);
-  useEffect(() => dialog.current?.showModal(), []);
+  const dialog = useModal();
   const [document, setDocument] = useState<string>();
   const [outcome, setOutcome] = useState<Outcome>();
   const [text, setText] = useState("");
@@ -48,7 +48,7 @@ function Panel() {
           </button>
         </div>
         <div className="runs-tools" role="search" aria-label="Runs">
-          <input type="search" autoFocus placeholder="Number, document, outcome, argument" aria-label="Search the runs" value={text} onChange={(event) => setText(event.target.value)} />
+          <input type="search" data-first placeholder="Number, document, outcome, argument" aria-label="Search the runs" value={text} onChange={(event) => setText(event.target.value)} />
           <select aria-label="Of the document" value={document ?? ""} onChange={(event) => setDocument(event.target.value === "" ? undefined : event.target.value)}>
             <option value="">Any document</option>
             {documents.map(({ name }) => (

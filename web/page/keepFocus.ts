@@ -1,13 +1,13 @@
 // Keeps the focus of the keyboard where one was: what has it may go away, as a question that is answered, or may not be pressed any more, as Start.
 // Then the part of the page around it has the focus, from which Tab goes on; it comes back with the element.
 
-const kParts = 'dialog, [role="toolbar"], [role="tree"], section, aside, main, footer, header, .app';
+const kParts = 'dialog, [role="toolbar"], [role="tree"], section, aside, main, footer, header, .app, .one, .display, #root';
 
 interface Held {
   readonly element: HTMLElement;
   readonly around: readonly Element[];
 }
-/** What had the focus last, by key; nothing after a click beside it. */
+/** What had the focus last; nothing after a click beside it. */
 let held: Held | undefined;
 /** The last element outside of any dialog. */
 let outside: Held | undefined;
@@ -23,8 +23,8 @@ function around(element: Element): readonly Element[] {
   return parent === null ? [] : [parent, ...around(parent)];
 }
 
-/** So that Tab does not stop there later. */
-function focusPart(part: HTMLElement): void {
+/** Gives the focus to what is no stop of Tab, now or later. */
+export function focusPart(part: HTMLElement): void {
   stand = part;
   if (!part.hasAttribute("tabindex")) {
     part.tabIndex = -1;
@@ -34,8 +34,8 @@ function focusPart(part: HTMLElement): void {
 }
 
 function give({ element, around: parts }: Held): void {
-  const isInDialog = parts.some((part) => part.matches("dialog"));
-  const isDialogGone = isInDialog && !parts.some((part) => part.matches("dialog") && part.isConnected);
+  const dialogs = [element, ...parts].filter((part) => part.matches("dialog"));
+  const isDialogGone = dialogs.length > 0 && !dialogs.some((dialog) => dialog.isConnected);
   if (isDialogGone && outside !== undefined && outside.element !== element) {
     if (isGone(outside.element)) give(outside);
     else outside.element.focus({ preventScroll: true });
@@ -60,6 +60,12 @@ function take({ target }: FocusEvent): void {
   if (target.closest("dialog") === null) outside = held;
 }
 
+/** A click beside what had the focus ends that; in a dialog, the dialog remains, which gives the focus back when it is closed. */
+function point({ target }: PointerEvent): void {
+  const dialog = target instanceof Element ? target.closest<HTMLElement>("dialog") : null;
+  held = dialog === null ? undefined : { element: dialog, around: around(dialog) };
+}
+
 function release(): void {
   isKeyDown = false;
   setTimeout(look);
@@ -71,6 +77,6 @@ export function keepFocus(): void {
   addEventListener("keyup", release, { capture: true });
   addEventListener("blur", release);
   document.addEventListener("focusin", take);
-  document.addEventListener("pointerdown", () => (held = undefined), { capture: true });
+  document.addEventListener("pointerdown", point, { capture: true });
   new MutationObserver(look).observe(document.body, { childList: true, subtree: true, attributes: true, attributeFilter: ["disabled"] });
 }
