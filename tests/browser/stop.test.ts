@@ -318,6 +318,31 @@ describe("a server without accounts", () => {
     await phone.context().close();
   });
 
+  it.each([
+    [1366, 768],
+    [2560, 1440],
+    [360, 640],
+    [390, 844],
+    [412, 915],
+  ])("leaves the page of %d x %d pixels exactly what the bar does not take", async (width, height) => {
+    for (const path of ["/pro/", "/one/", "/display/?name=phone1"]) {
+      const other = await (await fixture.openContext({ viewport: { width, height } })).newPage();
+      await other.goto(`${fixture.url}${path}`);
+      await stopButton(other).waitFor();
+      const frame = other.locator(".app, .one, #root:has(.display)").first();
+      await frame.waitFor();
+      const { begins, left, isBelow } = await other.evaluate(() => {
+        const layer = document.querySelector("#stop-layer")?.getBoundingClientRect() ?? new DOMRect();
+        const found = document.querySelector(".app, .one, #root:has(.display)");
+        return { begins: innerHeight - layer.top, left: found === null ? Number.NaN : parseFloat(getComputedStyle(found).paddingBottom), isBelow: layer.bottom >= innerHeight };
+      });
+      expect(isBelow, path).toBe(width <= 760);
+      // Elsewhere it lies in the row above, and takes nothing.
+      expect(left, path).toBe(isBelow ? begins : 0);
+      await other.context().close();
+    }
+  });
+
   it("is stopped from a display by one tap, and reset there", async () => {
     const phone = await (await fixture.openContext({ ...devices["Pixel 7"] })).newPage();
     phone.setDefaultTimeout(20_000);
