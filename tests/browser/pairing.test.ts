@@ -90,6 +90,7 @@ describe("a phone that scans a code", () => {
     const second = new URL(await scan(page));
     expect(second.origin).toBe("https://10.0.0.7:8443");
     expect([second.search, second.hash]).toEqual([first.search, first.hash]);
+    await dialog(page).getByText("Details", { exact: true }).click();
     await dialog(page).getByRole("link", { name: "https://10.0.0.7:8443/trust/" }).waitFor();
     expect(await findings(page)).toEqual([]);
     await fixture.screenshot("pairing-networks", page);
@@ -104,7 +105,9 @@ describe("a phone that scans a code", () => {
     const first = await phone(address);
     await paired(first).getByText("Paired by otto until").waitFor();
     const second = await phone(address);
-    await paired(second).getByText("Show a new code on the page that you scanned").waitFor();
+    await paired(second).getByText("Press “New code” on the page that shows it").waitFor();
+    await dialog(page).getByRole("button", { name: "New code" }).click();
+    await expect.poll(() => scan(page).catch(() => address)).not.toBe(address);
     await second.getByRole("form", { name: "Log in" }).waitFor();
     for (const each of [page, first, second]) await each.context().close();
   });

@@ -39,7 +39,10 @@ describe("the page without a run", () => {
     await dialog.getByLabel("Name of the display").fill("left-hand");
     const address = `http://localhost:${new URL(fixture.url).port}/display/?name=left-hand`;
     await dialog.getByRole("link", { name: address }).waitFor();
-    expect(await dialog.innerText()).toContain("Another device needs the network");
+    expect(await dialog.getByRole("list", { name: "What to do with the phone" }).innerText()).toContain("Another device needs the network");
+    expect(await dialog.getByText("race serve --lan").isVisible()).toBe(false);
+    await dialog.getByText("Details", { exact: true }).click();
+    expect(await dialog.getByText("race serve --lan").isVisible()).toBe(true);
     expect(await readCode(page, await dialog.getByRole("img", { name: `QR code of ${address}` }).screenshot())).toBe(address);
     expect(await findings(page)).toEqual([]);
     await fixture.screenshot("pairing");

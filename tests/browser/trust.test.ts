@@ -223,6 +223,7 @@ describe.skipIf(host === undefined)("a server that a network reaches", () => {
     await page.keyboard.press("Enter");
     await page.getByRole("button", { name: "Show the code" }).click();
     const dialog = page.getByRole("dialog", { name: "Pair a phone" });
+    await dialog.getByText("Details", { exact: true }).click();
     expect(await dialog.getByRole("link", { name: `${lan}/trust/` }).isVisible()).toBe(true);
     await dialog.getByRole("img", { name: `QR code of ${lan}/display/?name=phone1` }).waitFor();
     expect(await findings(page)).toEqual([]);

@@ -10,7 +10,7 @@ export function PairingNotice() {
     <section className={`notice has-button${pairing.kind === "failed" ? " is-bad" : ""}`} aria-label="Pairing">
       <p role="alert">
         {pairing.kind === "failed"
-          ? `Not paired: ${pairing.why}. Show a new code on the page that you scanned, and scan it within a minute.`
+          ? pairing.why
           : `Paired by ${pairing.account} until ${new Date(pairing.expires).toLocaleDateString("en-GB", { day: "numeric", month: "long", year: "numeric" })}: it ${pairing.role === "observer" ? kRoleTexts.observer : kRoleTexts.operator}.`}
       </p>
       <button type="button" className="plain" onClick={dismissPairing}>

@@ -1,6 +1,5 @@
 // The code in the fragment of the address, by which this phone is paired: exchanged once, and not left in the address.
-import { messageOf } from "../shared/messageOf";
-import { codeOf } from "../shared/display/pairing";
+import { codeOf, notPairedText } from "../shared/display/pairing";
 import { createStore, useSelected } from "../page/store";
 import { pair } from "./client";
 
@@ -28,6 +27,6 @@ export async function pairByAddress(): Promise<void> {
     const { account, role, expires } = await pair(code);
     store.dispatch({ kind: "paired", account: account.name, role, expires });
   } catch (error) {
-    store.dispatch({ kind: "failed", why: messageOf(error) });
+    store.dispatch({ kind: "failed", why: notPairedText(error) });
   }
 }

@@ -1,4 +1,6 @@
 // Which network of the server the phone is in, where it serves several.
+import { texts } from "./texts";
+
 interface Props {
   /** Addresses of the server. */
   readonly networks: readonly string[];
@@ -10,7 +12,7 @@ export function NetworkChoice({ networks, chosen, onChoose }: Props) {
   if (networks.length === 0) return null;
   return (
     <label>
-      Network of the phone{" "}
+      {texts.fields.network}{" "}
       <select value={chosen} onChange={(event) => onChoose(event.target.value)}>
         {networks.map((each) => (
           <option key={each} value={each}>

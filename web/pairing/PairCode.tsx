@@ -1,5 +1,8 @@
 // The address of the display page of a phone, as a link and as a QR code.
 import { lazy, Suspense, useEffect, useState } from "react";
+import { texts } from "./texts";
+
+const t = texts.code;
 
 const QrCode = lazy(() => import("./QrCode").then(({ QrCode }) => ({ default: QrCode })));
 
@@ -12,7 +15,7 @@ interface Props {
 export function PairCode({ address, until }: Props) {
   return (
     <>
-      <Suspense fallback={<p className="quiet">Drawing the code…</p>}>
+      <Suspense fallback={<p className="quiet">{t.drawing}</p>}>
         <QrCode text={address} />
       </Suspense>
       {until === undefined ? (
@@ -21,7 +24,7 @@ export function PairCode({ address, until }: Props) {
         </a>
       ) : (
         <p>
-          Scan it with the camera of the phone. It is good once, and for <Left until={until} /> more.
+          {t.good} <Left until={until} /> {t.more}
         </p>
       )}
     </>
@@ -34,5 +37,5 @@ function Left({ until }: { readonly until: number }) {
     const timer = setInterval(() => setNow(Date.now()), 500);
     return () => clearInterval(timer);
   }, []);
-  return <b>{Math.max(0, Math.ceil((until - now) / 1000))} s</b>;
+  return <b>{t.seconds(Math.max(0, Math.ceil((until - now) / 1000)))}</b>;
 }

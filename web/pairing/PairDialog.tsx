@@ -4,11 +4,14 @@ import type { Me, PairingCreate } from "../generated/messages";
 import type { Api } from "../shared/api";
 import { useModal } from "../page/useModal";
 import { isDisplayName, networkChoice, pairing } from "../shared/display/pairing";
-import { kRoleTexts } from "../shared/login/roles";
 import { useCode } from "./code";
+import { CodeNotice } from "./CodeNotice";
 import { NetworkChoice } from "./NetworkChoice";
+import { Details } from "./Details";
 import { PairCode } from "./PairCode";
-import { Reach } from "./Reach";
+import { PairingFields } from "./PairingFields";
+import { Steps } from "./Steps";
+import { texts } from "./texts";
 
 interface Props {
   readonly api: Api;
@@ -22,7 +25,6 @@ interface Props {
 /** As in the README; a task shows most things on all displays. */
 const kDefaultName = "phone1";
 const kDays = 30;
-const kRoles = ["operator", "observer"] as const;
 
 export function PairDialog({ api, me, refusal, onClose }: Props) {
   const dialog = useModal();
@@ -42,58 +44,24 @@ export function PairDialog({ api, me, refusal, onClose }: Props) {
   const network = origins.find((each) => each === chosen) ?? origins[0];
   const { address, trust, tunnel } = pairing(location, { ...shown, ...(code.kind === "there" && { code: code.code }) }, network);
   return (
-    <dialog ref={dialog} className="pairing" aria-label="Pair a phone" onClose={onClose} onClick={(event) => event.target === event.currentTarget && close()} onKeyDown={(event) => event.stopPropagation()}>
+    <dialog ref={dialog} className="pairing" aria-label={texts.title} onClose={onClose} onClick={(event) => event.target === event.currentTarget && close()} onKeyDown={(event) => event.stopPropagation()}>
       <div className="pairing-body">
         <div className="pairing-head">
-          <h2>Pair a phone</h2>
-          <button type="button" aria-label="Close" onClick={close}>
+          <h2>{texts.title}</h2>
+          <button type="button" aria-label={texts.close} onClick={close}>
             ✕
           </button>
         </div>
-        <p>The phone becomes a display, where tasks show messages and ask questions, and a teach pendant, by which the robot is moved by hand and tasks are started.</p>
-        <div className="pairing-fields">
-          <label>
-            Name of the display <input type="text" value={name} aria-invalid={!isName} aria-describedby={isName ? undefined : "pairing-name"} spellCheck={false} autoComplete="off" onChange={(event) => setName(event.target.value)} />
-          </label>
-          <label>
-            Its place <input type="text" value={place} placeholder="gripper" aria-invalid={!isPlace} aria-describedby={isPlace ? undefined : "pairing-name"} spellCheck={false} autoComplete="off" onChange={(event) => setPlace(event.target.value)} />
-          </label>
-          {hasAccounts && (
-            <label>
-              What it may{" "}
-              <select value={role} onChange={(event) => setRole(event.target.value === "observer" ? "observer" : "operator")}>
-                {kRoles.map((each) => (
-                  <option key={each} value={each}>
-                    {each}: {kRoleTexts[each]}
-                  </option>
-                ))}
-              </select>
-            </label>
-          )}
+        <p>{texts.about}</p>
+        <PairingFields values={{ name, place, role: hasAccounts ? role : undefined }} isName={isName} isPlace={isPlace} onName={setName} onPlace={setPlace} onRole={setRole}>
           <NetworkChoice networks={networkChoice(location, origins)} chosen={network} onChoose={setChosen} />
-        </div>
-        {!(isName && isPlace) && (
-          <p id="pairing-name" className="bad" role="alert">
-            A name has 1 to 32 of A-Z, a-z, 0-9, _ and -, and is not all.
-          </p>
-        )}
-        {tunnel !== undefined && <Reach tunnel={tunnel} />}
-        {trust !== undefined && (
-          <p>
-            The phone warns of this server until it trusts it, which it learns once at <a href={trust}>{trust}</a>.
-          </p>
-        )}
-        {hasAccounts && refusal !== undefined && <p>You let no phone in: {refusal}. It can log in at this address.</p>}
-        {code.kind === "asked" && <p className="quiet">Asking the server for a code…</p>}
-        {(code.kind === "failed" || code.kind === "over") && (
-          <p role="alert">
-            {code.kind === "over" ? "The code is good no more. " : `There is no code: ${code.why}. `}
-            <button type="button" onClick={() => setAttempt(attempt + 1)}>
-              New code
-            </button>
-          </p>
-        )}
+        </PairingFields>
+        {/* Until the code is there, it is not known. */}
+        <Steps isReached={tunnel === undefined || code.kind === "asked"} hasCode={code.kind !== "none"} />
+        {hasAccounts && refusal !== undefined && <p>{texts.code.refused(refusal)}</p>}
         {isName && isPlace && (code.kind === "none" || code.kind === "there") && <PairCode address={address} until={code.kind === "there" ? code.until : undefined} />}
+        <CodeNotice code={code} onRenew={() => setAttempt(attempt + 1)} />
+        <Details tunnel={tunnel} trust={trust} />
       </div>
     </dialog>
   );

@@ -1,8 +1,9 @@
 // The code by which the server lets a phone in: asked for again when what it is for has changed.
 import { useEffect, useState } from "react";
 import type { PairingCreate } from "../generated/messages";
-import type { Api } from "../shared/api";
+import { RefusedError, type Api } from "../shared/api";
 import { messageOf } from "../shared/messageOf";
+import { texts } from "./texts";
 
 export type CodeState =
   /** The address is all. */
@@ -12,6 +13,10 @@ export type CodeState =
   | { readonly kind: "there"; readonly code: string; readonly origins: readonly string[]; readonly until: number }
   | { readonly kind: "over" }
   | { readonly kind: "failed"; readonly why: string };
+
+/** What is in the way, and what to do. */
+const whyOf = (error: unknown): string => (error instanceof RefusedError && error.status === kTooMany ? texts.code.tooMany : texts.code.failed(messageOf(error)));
+const kTooMany = 429;
 
 /** After the last key [ms], so that not each letter of a name is a code of its own. */
 const kSettle = 500;
@@ -35,7 +40,7 @@ export function useCode(api: Api, pairing: PairingCreate | undefined, attempt: n
           setState({ kind: "there", code, origins: addresses.map(({ url }) => url), until: Date.now() + expires_s * 1000 });
           end = setTimeout(() => setState({ kind: "over" }), expires_s * 1000);
         },
-        (error: unknown) => isOver || setState({ kind: "failed", why: messageOf(error) }),
+        (error: unknown) => isOver || setState({ kind: "failed", why: whyOf(error) }),
       );
     end = setTimeout(() => void ask(), kSettle);
     return () => {

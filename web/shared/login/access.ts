@@ -26,6 +26,8 @@ export class LoginError extends Error {
   constructor(
     message: string,
     readonly wait?: number,
+    /** Of the error of the server. */
+    readonly code?: string,
   ) {
     super(message);
     this.name = "LoginError";
@@ -85,7 +87,7 @@ export function createAccess({ base, fetcher, tokens, onChange, onOtherLogin }: 
     if (answer.ok) return data;
     const [first] = check(schema.problem, data).errors;
     const wait = answer.headers.get("retry-after");
-    throw new LoginError(first?.message ?? `status ${answer.status}`, wait === null ? undefined : Number(wait));
+    throw new LoginError(first?.message ?? `status ${answer.status}`, wait === null ? undefined : Number(wait), first?.code);
   }
 
   return {

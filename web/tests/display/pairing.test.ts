@@ -1,5 +1,17 @@
 import { describe, expect, it } from "vitest";
-import { codeOf, displayAddress, isDisplayName, networkChoice, pairing } from "../../shared/display/pairing";
+import { codeOf, displayAddress, isDisplayName, networkChoice, notPairedText, pairing } from "../../shared/display/pairing";
+
+import { LoginError } from "../../shared/login/access";
+
+describe("a phone that is not paired", () => {
+  it("says why in plain words, and what to do", () => {
+    const used = notPairedText(new LoginError("the code is wrong", undefined, "pairing"));
+    expect(used).toBe("This phone is not paired: the code was used already, or it is too old. Press “New code” on the page that shows it, and scan that code within a minute.");
+    expect(notPairedText(new LoginError("slowly", 7, "too_many"))).toContain("Wait 7 s, then press “New code”");
+    expect(notPairedText(new LoginError("the disk is full", undefined, "storage"))).toContain("not paired: the disk is full. Press “New code”");
+    expect(notPairedText(new TypeError("Failed to fetch"))).toContain("the server does not answer. Connect the phone to the network of the server");
+  });
+});
 
 describe("pairing a phone", () => {
   it("leads through a tunnel to a server that answers its own machine alone, at the same port", () => {
