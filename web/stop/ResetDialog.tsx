@@ -3,6 +3,9 @@ import { useEffect, useRef, useState } from "react";
 import { messageOf } from "../shared/messageOf";
 import { kResetQuestion } from "../shared/stop/texts";
 import { stop } from "./page";
+import { texts } from "./texts";
+
+const t = texts.reset;
 
 interface Props {
   /** Of the account. */
@@ -32,15 +35,15 @@ export function ResetDialog({ fetcher, onClose }: Props) {
   };
   return (
     <dialog ref={dialog} className="reset-stop" aria-labelledby="reset-stop-title" aria-describedby="reset-stop-question" onClose={onClose} onKeyDown={(event) => event.stopPropagation()}>
-      <h2 id="reset-stop-title">Reset the stop?</h2>
+      <h2 id="reset-stop-title">{t.title}</h2>
       <p id="reset-stop-question">{kResetQuestion}</p>
-      {reason !== undefined && <p role="alert">Not reset: {reason}.</p>}
+      {reason !== undefined && <p role="alert">{t.failed(reason)}</p>}
       <div>
         <button type="button" ref={keep} onClick={() => dialog.current?.close()}>
-          Keep it stopped
+          {t.keep}
         </button>
         <button type="button" disabled={busy} onClick={() => void reset()}>
-          {busy ? "Resetting…" : "Nobody is there: reset"}
+          {busy ? t.busy : t.reset}
         </button>
       </div>
     </dialog>

@@ -4,6 +4,9 @@ import { kStoppedMeans, stoppedText } from "../shared/stop/texts";
 import type { Stopped } from "../shared/stop/state";
 import { useStop } from "./useStop";
 import { ResetDialog } from "./ResetDialog";
+import { texts } from "./texts";
+
+const t = texts.banner;
 
 interface Props {
   /** Why the stop cannot be reset by this person, or now. */
@@ -22,15 +25,15 @@ const textNow = (stopped: Stopped): string => stoppedText(stopped, Date.now());
 function Banner({ stopped, refusal, fetcher }: Props & { readonly stopped: Stopped }) {
   const [asks, setAsks] = useState(false);
   return (
-    <section className="stopped-banner" aria-label="The cell is stopped">
+    <section className="stopped-banner" aria-label={t.name}>
       <p role="alert">
         <strong>{textNow(stopped)}</strong> <span>{kStoppedMeans}</span>
       </p>
       <div>
         <button type="button" aria-haspopup="dialog" disabled={refusal !== undefined} title={refusal} onClick={() => setAsks(true)}>
-          Reset…
+          {t.reset}
         </button>
-        {refusal !== undefined && <small>Reset: {refusal}.</small>}
+        {refusal !== undefined && <small>{t.refused(refusal)}</small>}
       </div>
       {asks && refusal === undefined && <ResetDialog fetcher={fetcher} onClose={() => setAsks(false)} />}
     </section>

@@ -2,6 +2,7 @@
 import { kStopKey } from "../shared/stop/key";
 import { viewOf, type StopState } from "../shared/stop/state";
 import { kStopHint, kStoppedMeans, stoppedText, warningText } from "../shared/stop/texts";
+import { texts } from "./texts";
 
 export interface StopLayer {
   readonly element: HTMLElement;
@@ -35,17 +36,17 @@ function whenPressed(button: HTMLElement, press: () => void): void {
 }
 
 export function makeLayer(press: () => void, dismiss: () => void): StopLayer {
-  const button = make("button", { type: "button", class: "stop-button", title: kStopHint, "aria-keyshortcuts": kStopKey }, "STOP");
+  const button = make("button", { type: "button", class: "stop-button", title: kStopHint, "aria-keyshortcuts": kStopKey }, texts.stop);
   whenPressed(button, press);
   const title = make("strong", {});
   const act = make("span", {});
-  const read = make("button", { type: "button", class: "stop-read" }, "I have read this");
+  const read = make("button", { type: "button", class: "stop-read" }, texts.read);
   read.addEventListener("click", dismiss);
   const warning = make("div", { class: "stop-warning", role: "alert" }, title, act, read);
   const who = make("strong", {});
   const means = make("span", {}, kStoppedMeans);
   const told = make("p", { class: "stop-told", role: "status" }, who, means);
-  const element = make("div", { id: "stop-layer", popover: "manual", role: "region", "aria-label": "Stop of the cell" }, button);
+  const element = make("div", { id: "stop-layer", popover: "manual", role: "region", "aria-label": texts.layer }, button);
   for (const kind of kKept) element.addEventListener(kind, (event) => event.stopPropagation());
   const place = (part: HTMLElement, shown: boolean) => {
     if (!shown) part.remove();
