@@ -128,4 +128,44 @@ describe("an application with edits that the server has not taken", () => {
     }
     await expect.poll(stored).toEqual(["First", "Second", "Fourth"]);
   });
+
+  it("asks when the server has refused an edit meanwhile, says which and why, and never that all is saved", async () => {
+    const held: (() => void)[] = [];
+    let holds = false;
+    const second = await page.context().newPage();
+    await second.routeWebSocket(/\/api\/v1\/stream/, (socket) => {
+      const server = socket.connectToServer();
+      socket.onMessage((message) => {
+        const send = () => server.send(message);
+        if (holds) held.push(send);
+        else send();
+      });
+    });
+    await second.goto(`${fixture.url}/one/?edit=left`);
+    await second.getByRole("region", { name: "Task First" }).getByRole("button", { name: /First/ }).click();
+    holds = true;
+    await second.getByRole("textbox", { name: "Name" }).fill("Renamed");
+    await second.keyboard.press("Enter");
+    await second.getByRole("region", { name: "Task Renamed" }).waitFor();
+    await second.waitForTimeout(1500);
+    await second.getByRole("link", { name: "RACE One" }).click();
+    const asked = second.getByRole("alertdialog");
+    await asked.getByRole("heading", { name: "1 change is not saved yet" }).waitFor();
+    await page.getByRole("region", { name: "Task First" }).getByRole("button", { name: /First/ }).click();
+    await page.getByRole("button", { name: "Remove", exact: true }).click();
+    await expect.poll(stored).toEqual(["Second", "Fourth"]);
+    holds = false;
+    held.forEach((send) => send());
+    await asked.getByRole("heading", { name: "1 change was not taken" }).waitFor();
+    expect(await asked.getByRole("list", { name: "What was refused, and why" }).getByRole("listitem").count()).toBe(1);
+    expect(await asked.innerText()).not.toContain("All is saved now");
+    expect(await findings(second)).toEqual([]);
+    await fixture.screenshot("one-leaving-refused", second);
+    await asked.getByRole("button", { name: "Stay here" }).click();
+    await second.getByRole("link", { name: "RACE One" }).click();
+    await asked.getByRole("heading", { name: "1 change was not taken" }).waitFor();
+    await asked.getByRole("button", { name: "Leave without it" }).click();
+    await second.getByRole("heading", { name: "What shall the robot do?" }).waitFor();
+    await second.close();
+  });
 });

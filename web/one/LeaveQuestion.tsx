@@ -3,6 +3,7 @@ import { useModal } from "../page/useModal";
 import { useEditing } from "./editing";
 import { leaveNow, stay, useIsLeaving } from "./leaving";
 import { texts } from "./texts";
+import { questionOf } from "./unsaved";
 
 const t = texts.leave;
 
@@ -12,20 +13,32 @@ export function LeaveQuestion() {
 
 function Question() {
   const dialog = useModal();
-  const edits = useEditing((now) => now.session?.pending.length ?? 0);
-  const isSaved = edits === 0;
+  const waiting = useEditing((now) => now.session?.pending.length ?? 0);
+  const refused = useEditing((now) => now.refused);
+  const { title, means, leave, loses } = questionOf({ waiting, refused });
   return (
     <dialog ref={dialog} className="leaving" role="alertdialog" aria-labelledby="leaving-title" aria-describedby="leaving-means" onClose={stay}>
       <div role="status">
-        <h2 id="leaving-title">{isSaved ? t.savedTitle : t.title(edits)}</h2>
-        <p id="leaving-means">{isSaved ? t.saved : t.lost}</p>
+        <h2 id="leaving-title">{title}</h2>
+        <div id="leaving-means">
+          {means.map((text) => (
+            <p key={text}>{text}</p>
+          ))}
+          {refused.length > 0 && (
+            <ul aria-label={t.refusedList}>
+              {refused.map(({ what, why }, i) => (
+                <li key={i}>{t.why(what, why)}</li>
+              ))}
+            </ul>
+          )}
+        </div>
       </div>
       <div className="buttons">
         <button type="button" className="main" data-first onClick={() => dialog.current?.close()}>
           {t.stay}
         </button>
-        <button type="button" className={isSaved ? "" : "danger"} onClick={leaveNow}>
-          {isSaved ? t.leave : t.giveUp}
+        <button type="button" className={loses ? "danger" : ""} onClick={leaveNow}>
+          {leave}
         </button>
       </div>
     </dialog>

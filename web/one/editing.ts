@@ -4,7 +4,7 @@ import { openEditor, type Editor } from "../shared/edit/editor";
 import type { Command } from "../shared/edit/commands/command";
 import { refusalText } from "../shared/edit/refusalText";
 import { readExact, type ExactJson } from "../shared/edit/exact";
-import type { EditSession } from "../shared/edit/session";
+import type { EditSession, Notice } from "../shared/edit/session";
 import type { Tree } from "../shared/edit/tree";
 import { newId } from "../shared/newId";
 import type { Supplies } from "../shared/timeline/changes/draft";
@@ -12,15 +12,19 @@ import { api, listenToStream, refusalNow, session, watchApplication } from "./cl
 import { author } from "./own";
 import { skillDocuments } from "./skills";
 import { texts } from "./texts";
+import { refusedEdit, type RefusedEdit } from "./unsaved";
 
 interface Editing {
   readonly document: string | undefined;
   readonly session: EditSession | undefined;
   /** Why the last change was not made; or what was done. */
   readonly told: { readonly text: string; readonly isRefusal: boolean } | undefined;
+  /** Edits that waited for the server, and that it has refused: until a person has closed what is told of it, or makes another change. */
+  readonly refused: readonly RefusedEdit[];
 }
 
-const store = createStore<Editing, Partial<Editing>>({ document: undefined, session: undefined, told: undefined }, (now, change) => ({ ...now, ...change }));
+const kNothing: Editing = { document: undefined, session: undefined, told: undefined, refused: [] };
+const store = createStore<Editing, Partial<Editing>>(kNothing, (now, change) => ({ ...now, ...change }));
 export const useEditing = <T>(select: (editing: Editing) => T): T => useSelected(store, select);
 export const useTree = (): Tree | undefined => useEditing((now) => now.session?.view);
 export const treeNow = (): Tree | undefined => store.get().session?.view;
@@ -45,7 +49,8 @@ export function untilEditing(holds: (editing: Editing) => boolean): Promise<void
   });
 }
 
-export const tell = (text: string | undefined, isRefusal = true): void => store.dispatch({ told: text === undefined ? undefined : { text, isRefusal } });
+/** Nothing: a person has seen it. */
+export const tell = (text: string | undefined, isRefusal = true): void => store.dispatch(text === undefined ? { told: undefined, refused: [] } : { told: { text, isRefusal } });
 
 let open: { readonly editor: Editor; readonly end: () => void } | undefined;
 
@@ -54,29 +59,41 @@ const kUsual = 1000;
 /** Since when edits have been waiting for the server [ms of performance.now()]. */
 let waitingSince: number | undefined;
 
+/** The session before the last step of it. */
+let earlier: EditSession | undefined;
+
 function takeUp(next: EditSession): void {
+  earlier = store.get().session;
   waitingSince = next.pending.length === 0 ? undefined : (waitingSince ?? performance.now());
   store.dispatch({ session: next });
 }
 
-/** How many edits are lost if the application is left now: the server has not taken them, and is not there, or late. Others are on their way, and arrive. */
-export function unsavedNow(): number {
+/** What was shown as done is not: it is told here, and once more when the application is left. */
+function refuse(notice: Notice): void {
+  tell(refusalText(notice));
+  const waited = earlier?.pending.some(({ request }) => request === notice.request) === true;
+  if (waited) store.dispatch({ refused: [...store.get().refused, refusedEdit(earlier?.view, notice)] });
+}
+
+/** Nothing is lost if the application is left now, and nothing was refused. Edits wait for a server that is not there, or late; others are on their way, and arrive. */
+export function isAllSaved(): boolean {
+  const { refused, session: now } = store.get();
   const isLate = waitingSince !== undefined && performance.now() - waitingSince > kUsual;
-  return isLate || session.get().connection !== "open" ? (store.get().session?.pending.length ?? 0) : 0;
+  return refused.length === 0 && (now?.pending.length === 0 || now === undefined || (!isLate && session.get().connection === "open"));
 }
 
 export function openApplication(name: string | undefined): void {
   open?.editor.close();
   open?.end();
   open = undefined;
-  waitingSince = undefined;
-  store.dispatch({ document: name, session: undefined, told: undefined });
+  waitingSince = earlier = undefined;
+  store.dispatch({ ...kNothing, document: name });
   watchApplication(name);
   if (name === undefined) return;
   const { stream, end } = listenToStream({ update: (update) => open?.editor.receive(update), connection: (now) => open?.editor.connection(now) });
   const editor = openEditor(stream, session.get().connection, name, author(), {
     onSession: takeUp,
-    onNotice: (notice) => tell(refusalText(notice)),
+    onNotice: refuse,
   });
   open = { editor, end };
   store.dispatch({ session: editor.session() });

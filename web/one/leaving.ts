@@ -1,6 +1,7 @@
-// Whether the application may be left: edits that the server has not taken are lost by that, so a person is asked first.
+// Whether the application may be left: edits that the server has not taken are lost by that, and of those that it has refused a person is to know, so they are
+// asked first.
 import { createStore, useSelected } from "../page/store";
-import { unsavedNow } from "./editing";
+import { isAllSaved } from "./editing";
 
 /** What leaves it. */
 type Leave = () => void;
@@ -10,7 +11,7 @@ export const useIsLeaving = (): boolean => useSelected(store, (leave) => leave !
 
 /** Nothing is lost; otherwise a person is asked, and `leave` is called if they say so. */
 export function mayLeave(leave: Leave): boolean {
-  if (unsavedNow() === 0) return true;
+  if (isAllSaved()) return true;
   store.dispatch({ leave });
   return false;
 }

@@ -36,7 +36,20 @@ export const en = {
   /** Before an application is left whose edits the server has not taken. */
   leave: {
     title: (edits: number) => (edits === 1 ? "1 change is not saved yet" : `${edits} changes are not saved yet`),
-    lost: "The server does not answer. If you stay here, what you changed is saved as soon as it answers again. If you leave now, it is lost.",
+    lost: (refused: number) =>
+      `${refused > 0 ? "The server has not answered all of them." : "The server does not answer."} If you stay here, what you changed is saved as soon as it answers again. If you leave now, it is lost.`,
+    refusedTitle: (edits: number) => (edits === 1 ? "1 change was not taken" : `${edits} changes were not taken`),
+    refused: (edits: number) =>
+      edits === 1
+        ? "The server has refused this change, so it is not in the application. If you still want it, stay here and make it again:"
+        : "The server has refused these changes, so they are not in the application. If you still want them, stay here and make them again:",
+    refusedList: "What was refused, and why",
+    othersSaved: "Everything else is saved.",
+    /** What a change was about. */
+    about: (step: string) => `“${step}”`,
+    aChange: "A change",
+    why: (what: string, why: string) => `${what}: ${why}.`,
+    leaveWithout: (edits: number) => (edits === 1 ? "Leave without it" : "Leave without them"),
     savedTitle: "All is saved now",
     saved: "The server is back. You can leave without losing anything.",
     stay: "Stay here",
