@@ -29,6 +29,7 @@ export const useEditing = <T>(select: (editing: Editing) => T): T => useSelected
 export const useTree = (): Tree | undefined => useEditing((now) => now.session?.view);
 export const treeNow = (): Tree | undefined => store.get().session?.view;
 
+export const editingNow = (): Editing => store.get();
 export const toldNow = (): string | undefined => store.get().told?.text;
 
 /** Until this holds [ms]. */

@@ -46,25 +46,37 @@ async function load(name: string): Promise<Omit<Loaded, "revision">> {
   return { document, named: namedIn(tree) };
 }
 
-let loading = false;
+let loading: Promise<void> | undefined;
 let asked = false;
 
-/** Loads what is new or has changed, one after the other. */
-export async function loadSkills(): Promise<void> {
-  asked = true;
-  if (loading) return;
-  loading = true;
-  while (asked) {
-    asked = false;
-    const wanted = [...session.get().documents].sort((a, b) => Number(b.name === kFirst) - Number(a.name === kFirst)).slice(0, kMost);
-    const kept = new Map([...store.get()].filter(([name]) => wanted.some((each) => each.name === name)));
-    if (kept.size !== store.get().size) store.dispatch(kept);
-    for (const { name, revision } of wanted) {
-      if (store.get().get(name)?.revision === revision) continue;
-      // One that cannot be read has nothing.
-      const loaded = await load(name).catch(() => ({ document: undefined, named: kNothing }));
-      store.dispatch(new Map([...store.get(), [name, { revision, ...loaded }]]));
-    }
+/** What has no answer is asked for again the next time; what cannot be read has nothing. */
+const nothingOf = (error: unknown): Omit<Loaded, "revision"> | undefined => (error instanceof TypeError ? undefined : { document: undefined, named: kNothing });
+
+async function loadListed(): Promise<void> {
+  const wanted = [...session.get().documents].sort((a, b) => Number(b.name === kFirst) - Number(a.name === kFirst)).slice(0, kMost);
+  const kept = new Map([...store.get()].filter(([name]) => wanted.some((each) => each.name === name)));
+  if (kept.size !== store.get().size) store.dispatch(kept);
+  for (const { name, revision } of wanted) {
+    if (store.get().get(name)?.revision === revision) continue;
+    const loaded = await load(name).catch(nothingOf);
+    if (loaded !== undefined) store.dispatch(new Map([...store.get(), [name, { revision, ...loaded }]]));
   }
-  loading = false;
+}
+
+async function loadAll(): Promise<void> {
+  try {
+    while (asked) {
+      asked = false;
+      await loadListed();
+    }
+  } finally {
+    loading = undefined;
+  }
+}
+
+/** Loads what is new or has changed, one after the other; done when all of it is here, whoever has asked for it. */
+export function loadSkills(): Promise<void> {
+  asked = true;
+  loading ??= Promise.resolve().then(loadAll);
+  return loading;
 }

@@ -4,38 +4,34 @@ import { Picture } from "../Picture";
 import { go, usePlace } from "../place";
 import { summaryOf } from "../line/StepCard";
 import { texts } from "../texts";
-import { makeApplication } from "./make";
+import { MakeButton } from "./MakeButton";
 import { useMaking } from "./useMaking";
 import { Ways } from "./Ways";
 
 const t = texts.application;
 
 export function ApplicationStep() {
-  const [edit, part, goal] = [usePlace((place) => place.edit), usePlace((place) => place.part), usePlace((place) => place.goal)];
-  const { busy, problem, make } = useMaking(async () => {
-    if (part === undefined || goal === undefined) return;
-    await makeApplication(t.wish, t.task, [
-      { skill: "PickAt", values: { pose: part } },
-      { skill: "PlaceAt", values: { pose: goal } },
-    ]);
-  });
+  const [part, goal] = [usePlace((place) => place.part), usePlace((place) => place.goal)];
+  const making = useMaking(t.wish, t.task, [
+    { skill: "PickAt", values: part === undefined ? {} : { pose: part } },
+    { skill: "PlaceAt", values: goal === undefined ? {} : { pose: goal } },
+  ]);
+  const { made, busy, problem } = making;
   const canMake = part !== undefined && goal !== undefined;
+  // What the server has not answered is no application yet.
+  const isThere = made === "yes" && !busy && problem === undefined;
   return (
     <main className="guided-body">
-      {edit === undefined && !canMake && <p className="problem">{t.missingPoses}</p>}
-      {(edit === undefined || busy) && canMake && (
-        <button type="button" className="main" disabled={busy} onClick={make}>
-          {busy ? t.making : t.make}
-        </button>
-      )}
-      {problem !== undefined && <p className="problem" role="alert">{texts.problem(problem)}</p>}
-      {edit !== undefined && !busy && <MadeLine />}
-      {edit !== undefined && !busy && (
+      {made === "no" && !canMake && <p className="problem">{t.missingPoses}</p>}
+      {made === "opening" && !busy && problem === undefined && <p role="status">{t.opening}</p>}
+      {canMake && !isThere && (made !== "opening" || busy || problem !== undefined) && <MakeButton {...making} label={t.make} making={t.making} />}
+      {isThere && <MadeLine />}
+      {isThere && (
         <button type="button" className="link" onClick={() => go({ guide: undefined, part: undefined, goal: undefined, view: "build" })}>
           {t.change}
         </button>
       )}
-      <Ways step="application" isReady={edit !== undefined && !busy} />
+      <Ways step="application" isReady={isThere} />
     </main>
   );
 }

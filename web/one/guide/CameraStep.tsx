@@ -7,13 +7,14 @@ import { usePlace } from "../place";
 import { RunView } from "../run/RunView";
 import { loadSkills } from "../skills";
 import { texts } from "../texts";
-import { makeApplication } from "./make";
+import { MakeButton } from "./MakeButton";
 import { useMaking } from "./useMaking";
 import { Ways } from "./Ways";
 
 const t = texts.camera;
 const kSkill = "CalibrateCamera";
 const kDocument = "calibrate-camera";
+const kWanted = [{ skill: kSkill, values: {} }] as const;
 /** Where the pose of the camera is kept (deploy/demo). */
 const kKey = "o_t_c";
 
@@ -45,8 +46,9 @@ export function CameraStep() {
   const known = useKnown();
   useEffect(() => void loadSkills(), [documents]);
   const skill = useOffered().find(({ name }) => name === kSkill);
-  const { busy, problem, make } = useMaking(() => makeApplication(kDocument, t.task, [{ skill: kSkill, values: {} }]));
-  if (edit !== undefined)
+  const making = useMaking(kDocument, t.task, kWanted);
+  const { made, busy, problem } = making;
+  if (edit !== undefined && (made === "yes" || made === "opening") && !busy && problem === undefined)
     return (
       <>
         <RunView name={edit} />
@@ -60,12 +62,7 @@ export function CameraStep() {
   return (
     <main className="guided-body">
       {known === undefined ? <p role="status">{t.asking}</p> : known ? <p>{t.known}</p> : missing !== undefined ? <p>{t.notNeeded(missing)}</p> : null}
-      {known === false && missing === undefined && (
-        <button type="button" className="main" disabled={busy} onClick={make}>
-          {busy ? t.making : t.begin}
-        </button>
-      )}
-      {problem !== undefined && <p className="problem" role="alert">{texts.problem(problem)}</p>}
+      {known === false && missing === undefined && <MakeButton {...making} label={t.begin} making={t.making} />}
       {known === false && <p className="doc">{t.skip}</p>}
       <Ways step="camera" isReady={!busy} />
     </main>

@@ -301,6 +301,10 @@ export const en = {
     task: "Move a part",
     make: "Make the application",
     making: "Making it…",
+    opening: "Opening what was made…",
+    noSkill: (skill: string) => `The server has no skill “${skill}”`,
+    isChanged: "somebody has changed it meanwhile",
+    incomplete: "The application is not complete: making it has ended too early. Try again: what is there already stays.",
     line: "What the robot will do",
     missingPoses: "Both places are to be shown first. Go back and save them.",
     change: "Change it yourself",
@@ -334,5 +338,6 @@ export const en = {
     tryAgain: "Try the step again",
     close: "Do not teach",
   },
-  problem: (why: string) => `That did not work: ${why}. Try again.`,
+  problem: (why: string) => `That did not work: ${why.replace(/\.$/, "")}. Try again.`,
+  tryAgain: "Try again",
 };
