@@ -78,7 +78,7 @@ it("is chosen at the step, too, where it says what comes then, or what is done i
   const outcome = panel().getByRole("group", { name: "“There are as many as wanted”" });
   expect(await outcome.getByRole("radio", { name: "End the loop" }).isChecked()).toBe(true);
   await outcome.getByRole("radio", { name: "Go on with the next round" }).check();
-  await card("Repeat").getByText("for ever").waitFor();
+  await card("Repeat").getByText("3 ×").waitFor();
   await outcome.getByRole("radio", { name: "End the loop" }).check();
   await card("Repeat").getByText("until “There are as many as wanted”").waitFor();
   await panel().getByRole("group", { name: "If it fails" }).getByRole("radio", { name: "End the loop" }).check();

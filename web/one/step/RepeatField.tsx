@@ -5,7 +5,6 @@ import type { Step, TimeLine } from "../../shared/timeline/timeLine";
 import { perform } from "../editing";
 import { ParameterField } from "./ParameterField";
 import { ownerOf } from "./StepPanel";
-import { kTimes } from "./actions";
 import { texts } from "../texts";
 
 const t = texts.step;
@@ -23,7 +22,7 @@ export function RepeatField({ loop, line, disabled }: Props) {
   const failing = failuresThatEnd(loop);
   const isCounted = repeat.value.kind !== "constant" || repeat.value.value !== 0;
   const isEnded = failing.length > 0 || ends.some(({ isChosen }) => isChosen);
-  const set = ({ step, port }: End, isEnd: boolean) => void perform((tree, supplies) => repeatUntil(tree, loop.id, { step: step.id, port }, isEnd, kTimes, supplies));
+  const set = ({ step, port }: End, isEnd: boolean) => void perform((tree, supplies) => repeatUntil(tree, loop.id, { step: step.id, port }, isEnd, supplies));
   return (
     <fieldset className="failure" disabled={disabled}>
       <legend>{t.howOften}</legend>

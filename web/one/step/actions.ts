@@ -4,6 +4,7 @@ import { loopSteps, unloop } from "../../shared/timeline/changes/loop";
 import { duplicateStep, moveStep, removeStep, setDisabled } from "../../shared/timeline/changes/steps";
 import { readApplication, type Application } from "../../shared/timeline/read";
 import type { TimeLine } from "../../shared/timeline/timeLine";
+import { kTimes } from "../../shared/timeline/times";
 import { attempt } from "../client";
 import { exactDocument, perform, tell, treeNow } from "../editing";
 import type { DropPlace } from "../line/drag";
@@ -105,9 +106,6 @@ export function duplicateSelected(): void {
 }
 
 export const turn = (id: string, off: boolean): void => void perform((tree, supplies) => setDisabled(tree, id, off, supplies));
-
-/** How often a new loop repeats. */
-export const kTimes = 3;
 
 export const repeat = (ids: readonly string[]): void => added(perform((tree, supplies) => loopSteps(tree, ids, kTimes, supplies)));
 

@@ -19,6 +19,9 @@ export interface Intent {
   readonly takes: ReadonlyMap<string, Source>;
 }
 
+/** Whether a step ends the loop around it. */
+export const endsLoop = ({ failure, goes }: Intent): boolean => failure.kind === "leave" || (failure.kind === "retry" && failure.then === "leave") || [...goes.values()].includes("leave");
+
 export type StepKind = "skill" | "task" | "loop";
 
 export interface PlannedStep {

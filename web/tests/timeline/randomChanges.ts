@@ -8,10 +8,10 @@ import { skillsIn } from "../../shared/skills/skill";
 import { addSkill, addTask } from "../../shared/timeline/changes/add";
 import type { Supplies } from "../../shared/timeline/changes/draft";
 import { setFailure, setOutcome } from "../../shared/timeline/changes/failure";
-import { loopSteps, unloop } from "../../shared/timeline/changes/loop";
+import { loopSteps, repeatUntil, unloop } from "../../shared/timeline/changes/loop";
 import { duplicateStep, moveStep, removeStep, renameStep, setDisabled } from "../../shared/timeline/changes/steps";
 import { setSource, sourcesOf } from "../../shared/timeline/changes/values";
-import { readApplication, readLoop, readTimeLine } from "../../shared/timeline/read";
+import { readApplication, readLoop, readTimeLine, type LoopParts } from "../../shared/timeline/read";
 import type { Failure, Goes, TimeLine } from "../../shared/timeline/timeLine";
 import type { Random } from "../edit/random";
 import { emptyApp, exactOf, skills } from "../skills/fixture";
@@ -24,14 +24,17 @@ export interface Expected {
   disabled: boolean;
   failure: Failure | undefined;
   goes: Record<string, Goes>;
+  /** Of a loop: how often; 0: for ever, or until one of its steps says so. */
+  times: number | undefined;
   steps: Expected[] | undefined;
 }
 
 /** The same of what was read; throws if a time line does not have the form. */
 export function shapeOf(line: TimeLine): Expected[] {
   if (line.form !== "editable") throw new Error(`${line.id} is ${line.form}: ${line.reason}`);
-  return line.steps.map(({ id, kind, title, disabled, failure, outcomes, inner }) => ({
-    id, kind, title, disabled, failure, goes: Object.fromEntries(outcomes.map(({ port, goes }) => [port.name, goes])), steps: inner && shapeOf(inner),
+  return line.steps.map(({ id, kind, title, disabled, failure, outcomes, inner, repeat }) => ({
+    id, kind, title, disabled, failure, goes: Object.fromEntries(outcomes.map(({ port, goes }) => [port.name, goes])),
+    times: repeat?.value.kind === "constant" && typeof repeat.value.value === "number" ? repeat.value.value : undefined, steps: inner && shapeOf(inner),
   }));
 }
 
@@ -55,6 +58,8 @@ export class RandomTask {
   operations: readonly Operation[] = [];
   /** The steps that the last change was about. */
   named: readonly string[] = [];
+  /** What counts in loops whose number the last change has settled: nothing ends them any more. */
+  counts: readonly string[] = [];
   private count = 0;
   private readonly supplies: Supplies = { newId: () => `n${this.count++}`, documents: [skills] };
 
@@ -70,10 +75,25 @@ export class RandomTask {
     this.named = [];
     const places = this.places();
     const place = random.of(places);
-    const kinds = [...(place.composite === "root" ? ["task"] : ["skill", "skill", "skill"]), ...(place.steps.length > 0 ? ["move", "duplicate", "disable", "remove", "failure", "outcome", "loop", "unloop", "rename", "source"] : [])];
+    const kinds = [...(place.composite === "root" ? ["task"] : ["skill", "skill", "skill"]), ...(place.steps.length > 0 ? ["move", "duplicate", "disable", "remove", "failure", "outcome", "until", "loop", "unloop", "rename", "source"] : [])];
     const kind = this.sizeOf(this.expected) > 40 && place.steps.length > 0 ? "remove" : random.of(kinds);
     const step = place.steps.length > 0 ? random.of(place.steps) : undefined;
-    return `${kind} ${this.make(kind, place, step)}`;
+    const ended = this.loops().filter(isEnded);
+    const what = this.make(kind, place, step);
+    const settled = this.loops().filter((loop) => loop.times === 0 && ended.includes(loop) && !isEnded(loop));
+    for (const loop of settled) loop.times = 3;
+    this.counts = settled.map(({ id }) => this.partsOf(id).count);
+    return `${kind} ${what}`;
+  }
+
+  private loops(steps: readonly Expected[] = this.expected): readonly Expected[] {
+    return steps.flatMap((step) => [...(step.kind === "loop" ? [step] : []), ...this.loops(step.steps ?? [])]);
+  }
+
+  private partsOf(loop: string): LoopParts {
+    const parts = readLoop(this.tree, loop);
+    if ("reason" in parts) throw new Error(parts.reason);
+    return parts;
   }
 
   private sizeOf = (steps: readonly Expected[]): number => steps.reduce((sum, { steps: inner = [] }) => sum + 1 + this.sizeOf(inner), 0);
@@ -84,10 +104,7 @@ export class RandomTask {
   }
 
   private compositeOf({ id, kind }: Expected): string {
-    if (kind !== "loop") return id;
-    const parts = readLoop(this.tree, id);
-    if ("reason" in parts) throw new Error(parts.reason);
-    return parts.body;
+    return kind === "loop" ? this.partsOf(id).body : id;
   }
 
   private take(command: Command): string {
@@ -112,7 +129,7 @@ export class RandomTask {
       const index = random.pick(steps.length + 1);
       const title = `Task ${this.count}`;
       const id = this.take(addTask(tree, composite, index, title, supplies));
-      steps.splice(index, 0, { id, kind: "task", title, disabled: false, failure: { kind: "stop" }, goes: {}, steps: [] });
+      steps.splice(index, 0, { id, kind: "task", title, disabled: false, failure: { kind: "stop" }, goes: {}, times: undefined, steps: [] });
       return id;
     }
     if (kind === "skill") {
@@ -122,7 +139,7 @@ export class RandomTask {
       const goes = Object.fromEntries(skill.ports.filter(({ name, advice }) => advice === undefined && name !== skill.nominal).map(({ name }) => [name, "end"] as const));
       this.named = [id];
       const fails = skill.ports.some(({ advice }) => advice !== undefined);
-      steps.splice(index, 0, { id, kind: "skill", title: skill.title, disabled: false, failure: fails ? { kind: "stop" } : undefined, goes, steps: undefined });
+      steps.splice(index, 0, { id, kind: "skill", title: skill.title, disabled: false, failure: fails ? { kind: "stop" } : undefined, goes, times: undefined, steps: undefined });
       return skill.name;
     }
     if (step === undefined) throw new Error("there is no step");
@@ -164,6 +181,8 @@ export class RandomTask {
         step.goes[port] = goes;
         return `${step.id} ${port} ${goes}`;
       }
+      case "until":
+        return this.until(step);
       case "loop":
         return this.loop(steps, at);
       case "unloop":
@@ -225,21 +244,41 @@ export class RandomTask {
     return `${id} takes what ${source.step} gives`;
   }
 
+  /** What a loop repeats says when it ends, or no more. */
+  private until(loop: Expected): string {
+    const ends = loop.kind !== "loop" ? [] : (loop.steps ?? []).flatMap((step) => Object.keys(step.goes).map((port) => ({ step, port })));
+    if (ends.length === 0) return "nothing";
+    const { step, port } = this.random.of(ends);
+    const goes = step.goes[port] === "leave" ? "end" : "leave";
+    const wasEnded = isEnded(loop);
+    this.take(repeatUntil(this.tree, loop.id, { step: step.id, port }, goes === "leave", this.supplies));
+    step.goes[port] = goes;
+    if (!wasEnded && isEnded(loop)) {
+      loop.times = 0;
+      this.named = [this.partsOf(loop.id).count];
+    }
+    return `${loop.id} ${step.id} ${port} ${goes}`;
+  }
+
   private loop(steps: Expected[], at: number): string {
     const group = steps.slice(at, at + 1 + this.random.pick(3));
+    const times = this.random.pick(3);
     if (group.some(endsLoop)) {
       const refused = loopSteps(this.tree, group.map((each) => each.id), 3, this.supplies);
       if (!("reason" in refused) || !/ends the loop around it|repeat both/.test(refused.reason)) throw new Error("a step would end another loop");
       return "refused";
     }
-    const id = this.attempt(loopSteps(this.tree, group.map((each) => each.id), 3, this.supplies));
+    const id = this.attempt(loopSteps(this.tree, group.map((each) => each.id), times, this.supplies));
     if (id === undefined) return "refused";
-    steps.splice(at, group.length, { id, kind: "loop", title: "Repeat", disabled: false, failure: { kind: "stop" }, goes: {}, steps: group });
+    steps.splice(at, group.length, { id, kind: "loop", title: "Repeat", disabled: false, failure: { kind: "stop" }, goes: {}, times, steps: group });
     return group.map((step) => step.id).join(" ");
   }
 }
 
 const endsLoop = ({ failure, goes }: Expected): boolean => failure?.kind === "leave" || (failure?.kind === "retry" && failure.then === "leave") || Object.values(goes).includes("leave");
+
+/** A loop: a step that is on ends it. */
+const isEnded = ({ steps = [] }: Expected): boolean => steps.some((step) => !step.disabled && endsLoop(step));
 
 /** What ended a loop does what a new step does, where there is none. */
 function staysWithin(step: Expected): void {

@@ -36,8 +36,8 @@ function originsOf(tree: Tree): ReadonlyMap<string, string> {
   return origins;
 }
 
-test("after any change, each step that it does not name takes each of its values from the same step as before", () => {
-  let [kept, refused] = [0, 0];
+test("after any change, each step that it does not name takes each of its values from the same step as before; a loop that nothing ends any more is counted", () => {
+  let [kept, refused, settled] = [0, 0, 0];
   for (let i = 0; i < kSeeds; ++i) {
     const task = new RandomTask(randomOf(seed + i), kGivingAndTaking);
     for (let n = 0; n < kChanges; ++n) {
@@ -51,6 +51,11 @@ test("after any change, each step that it does not name takes each of its values
       for (const [parameter, origin] of were) {
         const [state = ""] = parameter.split(".");
         if (!task.tree.elements.has(state) || task.named.includes(state)) continue;
+        if (parameter.endsWith(".times") && task.counts.includes(state)) {
+          expect([origin, are.get(parameter)], context).toEqual(["0", "3"]);
+          settled++;
+          continue;
+        }
         expect([parameter, are.get(parameter)], context).toEqual([parameter, origin]);
         kept += Number(origin.startsWith("step"));
       }
@@ -63,6 +68,7 @@ test("after any change, each step that it does not name takes each of its values
   }
   expect(kept).toBeGreaterThan(50);
   expect(refused).toBeGreaterThan(0);
+  expect(settled).toBeGreaterThan(0);
 });
 
 const placeOf = (name: string) => ({ document: "skills", id: stateNamed(skills.tree, name) });

@@ -9,6 +9,7 @@ import { addSkill, addTask } from "../../shared/timeline/changes/add";
 import { setFailure, setOutcome } from "../../shared/timeline/changes/failure";
 import { loopSteps, repeatUntil, unloop } from "../../shared/timeline/changes/loop";
 import { moveStep, removeStep, setDisabled } from "../../shared/timeline/changes/steps";
+import { setValue } from "../../shared/timeline/changes/values";
 import { readApplication } from "../../shared/timeline/read";
 import { allSteps, type Step } from "../../shared/timeline/timeLine";
 import { repeatText } from "../../one/line/repeatText";
@@ -37,7 +38,7 @@ const stepOf = (tree: Tree, id: string): Step => {
 };
 const conditions = (tree: Tree, id: string) => Object.fromEntries(listOf(tree, id, "ports").map((port) => [nameOfElement(tree, port), elementOf(tree, port).fields["when"]]));
 const bodyOf = (tree: Tree, loop: string): string => listOf(tree, loop, "children")[0] ?? "";
-const untilNone = (tree: Tree, { loop, find }: { readonly loop: string; readonly find: string }, isEnd = true) => repeatUntil(tree, loop, { step: find, port: "none" }, isEnd, 3, supplies);
+const untilNone = (tree: Tree, { loop, find }: { readonly loop: string; readonly find: string }, isEnd = true) => repeatUntil(tree, loop, { step: find, port: "none" }, isEnd, supplies);
 const reasonOf = (command: Command) => ("reason" in command ? command.reason : undefined);
 
 test("what the steps of a loop can say is offered, and the loop says how it repeats", () => {
@@ -71,7 +72,42 @@ test("a step that is off keeps what it was to end", () => {
   const { tree } = after(made.tree, untilNone(made.tree, made));
   const off = after(tree, setDisabled(tree, made.find, true, supplies)).tree;
   expect(stepOf(off, made.find).outcomes).toMatchObject([{ port: { name: "none" }, goes: "leave" }]);
-  expect(documentText(after(off, setDisabled(off, made.find, false, supplies)).tree)).toBe(documentText(tree));
+  const on = after(off, setDisabled(off, made.find, false, supplies)).tree;
+  expect(repeatText(stepOf(on, made.loop))).toBe("3 ×, or until “There is no part”");
+});
+
+const byOutcome = (tree: Tree, { find }: { readonly find: string }) => setOutcome(tree, find, "none", "leave", supplies);
+const byFailure = (tree: Tree, { say }: { readonly say: string }) => setFailure(tree, say, { kind: "leave" }, supplies);
+const byRetry = (tree: Tree, { say }: { readonly say: string }) => setFailure(tree, say, { kind: "retry", then: "leave" }, supplies);
+
+type Made = ReturnType<typeof looped>;
+test.each<[string, (tree: Tree, made: Made) => Command, (tree: Tree, made: Made) => Command]>([
+  ["its choice is taken back", untilNone, (tree, made) => untilNone(tree, made, false)],
+  ["its outcome goes on", byOutcome, (tree, { find }) => setOutcome(tree, find, "none", "next", supplies)],
+  ["its failure stops the task", byFailure, (tree, { say }) => setFailure(tree, say, { kind: "stop" }, supplies)],
+  ["it asks after it was tried again", byRetry, (tree, { say }) => setFailure(tree, say, { kind: "retry", then: "ask" }, supplies)],
+  ["it is removed", byFailure, (tree, { say }) => removeStep(tree, say, supplies)],
+  ["it is turned off", byOutcome, (tree, { find }) => setDisabled(tree, find, true, supplies)],
+  ["it is moved out of the loop", byOutcome, (tree, { find, task }) => moveStep(tree, find, task, 0, supplies)],
+])("a loop that repeated until a step says so is counted when %s", (_, end, noMore) => {
+  const made = looped();
+  const ended = after(made.tree, end(made.tree, made)).tree;
+  for (const times of [0, 7]) {
+    const count = listOf(ended, made.loop, "children")[1] ?? "";
+    const tree = after(ended, setValue(ended, count, "times", times, supplies)).tree;
+    const text = repeatText(stepOf(tree, made.loop));
+    expect([text.includes("until"), text.includes("7 ×")]).toEqual([true, times === 7]);
+    expect(repeatText(stepOf(after(tree, noMore(tree, made)).tree, made.loop))).toBe(times === 0 ? "3 ×" : "7 ×");
+  }
+});
+
+test("a loop that another step still ends stays uncounted, and one that a person lets repeat for ever, too", () => {
+  const made = looped();
+  const one = after(made.tree, untilNone(made.tree, made)).tree;
+  const two = after(one, setFailure(one, made.say, { kind: "leave" }, supplies)).tree;
+  expect(repeatText(stepOf(after(two, removeStep(two, made.say, supplies)).tree, made.loop))).toBe("until “There is no part”");
+  const forEver = after(made.tree, setValue(made.tree, listOf(made.tree, made.loop, "children")[1] ?? "", "times", 0, supplies)).tree;
+  expect(repeatText(stepOf(after(forEver, removeStep(forEver, made.say, supplies)).tree, made.loop))).toBe("for ever");
 });
 
 test("without its loop a step does what a new one does; the loop goes on without it", () => {
@@ -93,7 +129,7 @@ test("a step ends no other loop than the one that repeats it, and none where the
   const apart = after(made.tree, unloop(made.tree, made.loop, supplies)).tree;
   const nowhere = "it stands in no loop that it could end";
   expect([setOutcome(apart, made.find, "none", "leave", supplies), setFailure(apart, made.say, { kind: "retry", then: "leave" }, supplies)].map(reasonOf)).toEqual([nowhere, nowhere]);
-  expect(reasonOf(repeatUntil(tree, made.loop, { step: made.say, port: "none" }, true, 3, supplies))).toBe("it has no such outcome");
+  expect(reasonOf(repeatUntil(tree, made.loop, { step: made.say, port: "none" }, true, supplies))).toBe("it has no such outcome");
 });
 
 test("what ended a loop does not end the loop around that one, when it is taken apart", () => {

@@ -8,10 +8,11 @@ import { elementOf, listOf, type Tree } from "../../edit/tree";
 import { copyState, type SkillDocument } from "../../skills/copy";
 import { supportOf, type Support } from "../../skills/skill";
 import { settleLoop, settleTask } from "../canonical";
-import { loopOf, type Intent, type Plan, type PlannedStep } from "../plan";
+import { endsLoop, loopOf, type Intent, type Plan, type PlannedStep } from "../plan";
 import { partsOf, readPlan } from "../read";
 import { settleQuestion, settleSources } from "../sources";
 import type { Then } from "../timeLine";
+import { settleTimes } from "../times";
 
 /** What a change needs besides the document: where skills and support states come from. */
 export interface Supplies {
@@ -115,6 +116,7 @@ export function command(tree: Tree, supplies: Supplies, work: (draft: Draft) => 
   const draft = new Draft(tree, supplies);
   try {
     const select = work(draft);
+    draft.do(...settleTimes(tree, draft.tree, draft.newId));
     if (draft.operations.length === 0) return { reason: "it is so already" };
     return { change: { operations: draft.operations }, ...(select !== undefined && { select }) };
   } catch (error) {
@@ -122,9 +124,6 @@ export function command(tree: Tree, supplies: Supplies, work: (draft: Draft) => 
     throw error;
   }
 }
-
-/** Whether a step ends the loop around it. */
-export const endsLoop = ({ failure, goes }: Intent): boolean => failure.kind === "leave" || (failure.kind === "retry" && failure.then === "leave") || [...goes.values()].includes("leave");
 
 /** Steps where there is no loop to end: they do what new ones do. */
 export function withoutLeaving(intents: ReadonlyMap<string, Intent>): ReadonlyMap<string, Intent> {

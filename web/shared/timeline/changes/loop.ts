@@ -6,13 +6,13 @@ import { withoutCommentsOn } from "../../edit/comments/write";
 import { exactNumber } from "../numbers";
 import type { Tree } from "../../edit/tree";
 import { skillOf } from "../../skills/skill";
-import type { Intent, PlannedStep } from "../plan";
+import { endsLoop, type Intent, type PlannedStep } from "../plan";
 import { readLoop } from "../read";
+import { isEnded, setTimes } from "../times";
 import { emptyTask, newIntent } from "./add";
-import { endsLoop, command, Impossible, inserted, stepIn, without, withoutLeaving, type Supplies } from "./draft";
+import { command, Impossible, inserted, stepIn, without, withoutLeaving, type Supplies } from "./draft";
 import { keepValues } from "./kept";
 import { bring, standsBefore } from "./steps";
-import { assign } from "./values";
 
 /** Repeats steps that stand side by side `times`, or for ever (0). The loop is one step in their place. */
 export const loopSteps = (tree: Tree, ids: readonly string[], times: number, supplies: Supplies): Command =>
@@ -52,11 +52,8 @@ export interface Until {
   readonly port: string;
 }
 
-/**
- * Repeats until a step says so, or no more until then. What ends a loop by its steps is not counted, unless that is set afterwards; `times` is how often it repeats
- * where nothing else ends it any more.
- */
-export const repeatUntil = (tree: Tree, loop: string, { step, port }: Until, isEnd: boolean, times: number, supplies: Supplies): Command =>
+/** Repeats until a step says so, or no more until then. What is the first to end a loop by its steps is not counted, unless that is set afterwards. */
+export const repeatUntil = (tree: Tree, loop: string, { step, port }: Until, isEnd: boolean, supplies: Supplies): Command =>
   command(tree, supplies, (draft) => {
     draft.parentOf(loop);
     const parts = readLoop(tree, loop);
@@ -66,8 +63,7 @@ export const repeatUntil = (tree: Tree, loop: string, { step, port }: Until, isE
     if (intent?.goes.has(port) !== true) throw new Impossible("it has no such outcome");
     const next = new Map<string, Intent>([...intents, [step, { ...intent, goes: new Map([...intent.goes, [port, isEnd ? "leave" : "end"]]) }]]);
     draft.settle(parts.body, steps, next);
-    const [was, is] = [intents, next].map((all) => [...all.values()].some(endsLoop));
-    if (was !== is) assign(draft, parts.count, "times", exactNumber(isEnd ? 0 : times, true));
+    if (!isEnded(tree, parts.body) && isEnded(draft.tree, parts.body)) draft.do(...setTimes(draft.tree, parts.count, 0, draft.newId));
     return loop;
   });
 

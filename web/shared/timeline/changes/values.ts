@@ -17,8 +17,7 @@ export const setValue = (tree: Tree, state: string, name: string, value: ExactJs
     return undefined;
   });
 
-/** The same in a change that does more. */
-export function assign(draft: Draft, state: string, name: string, value: ExactJson): void {
+function assign(draft: Draft, state: string, name: string, value: ExactJson): void {
   const { tree } = draft;
   const now = valueOf(tree, state, name);
   if (now.kind === "computed") throw new Impossible("it is computed: only RACE Pro can change it");
