@@ -502,6 +502,10 @@ describe("on a phone and a tablet", () => {
     for (let i = 1; i <= 8; i++) await touch("touchMove", { x: from.x, y: from.y + ((to.y + 20 - from.y) * i) / 8 });
     await touch("touchEnd");
     await expect.poll(async () => (await titles(task("Pause a bit", phone))).slice(0, 2)).toEqual([before[1], before[0]]);
+    // What was dragged can be tapped.
+    await card("Wait", phone).first().tap();
+    await panel(phone).getByLabel("For", { exact: true }).waitFor();
+    expect(await card("Wait", phone).first().getAttribute("aria-pressed")).toBe("true");
     await phone.goto(`${fixture.url}/one/?edit=sort-parts#run`);
     await phone.getByRole("button", { name: /^Start/ }).waitFor();
     expect(await faults(phone)).toEqual([]);

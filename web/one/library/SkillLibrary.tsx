@@ -77,7 +77,7 @@ function SkillCard({ skill }: { readonly skill: Offered }) {
         title={skill.doc}
         data-skill={skill.name}
         onPointerDown={isHere ? drag.fromCard : undefined}
-        onClick={() => isHere && !drag.wasDragged() && addSelectedSkill(skill.place)}
+        onClick={(click) => isHere && drag.isClick(click) && addSelectedSkill(skill.place)}
       >
         <Picture name={skill.icon} category={skill.category} />
         <span>

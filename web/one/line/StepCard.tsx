@@ -54,7 +54,7 @@ export function StepCard({ step, problems, isEditable }: Props) {
   return (
     <li className={looks} data-step={step.id}>
       <div className="card">
-        <button type="button" className="card-open" aria-pressed={isSelected} onPointerDown={isEditable ? drag.fromCard : undefined} onClick={() => !drag.wasDragged() && select(step.id)}>
+        <button type="button" className="card-open" aria-pressed={isSelected} onPointerDown={isEditable ? drag.fromCard : undefined} onClick={(click) => drag.isClick(click) && select(step.id)}>
           <Picture name={icon} category={about.category} />
           <strong>{title}</strong>
           {summary !== "" && <span className="summary">{summary}</span>}

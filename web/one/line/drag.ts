@@ -4,6 +4,7 @@ import { useRef } from "react";
 import type { SkillPlace } from "../../shared/timeline/changes/add";
 import { createStore, useSelected } from "../../page/store";
 import { dropSkill, dropStep } from "../step/actions";
+import { pressHandlers, type PressHandlers } from "./press";
 
 export type Dragged = { readonly kind: "skill"; readonly title: string; readonly place: SkillPlace } | { readonly kind: "step"; readonly title: string; readonly id: string };
 
@@ -74,26 +75,7 @@ function follow(event: React.PointerEvent, what: Dragged, onEnd: (dragged: boole
   addEventListener("keydown", (key) => key.key === "Escape" && end(false), options);
 }
 
-interface DragHandlers {
-  readonly fromCard: (event: React.PointerEvent) => void;
-  readonly fromGrip: (event: React.PointerEvent) => void;
-  /** The last press was a drag, so it is no click. */
-  readonly wasDragged: () => boolean;
-}
-
-export function useDrag(what: Dragged): DragHandlers {
+export function useDrag(what: Dragged): PressHandlers<React.PointerEvent> {
   const dragged = useRef(false);
-  const begin = (event: React.PointerEvent) => {
-    dragged.current = false;
-    if (event.button === 0) follow(event, what, (was) => (dragged.current = was));
-  };
-  return {
-    // A finger on a card scrolls.
-    fromCard: (event) => event.pointerType === "mouse" && begin(event),
-    fromGrip: (event) => {
-      event.preventDefault();
-      begin(event);
-    },
-    wasDragged: () => dragged.current,
-  };
+  return pressHandlers(dragged, (event, onEnd) => follow(event, what, onEnd));
 }
