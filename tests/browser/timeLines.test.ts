@@ -55,7 +55,7 @@ test("a loop until a step says so is run until then, and what follows is done on
   const [count, wait] = [add(task, 0, "Count"), add(task, 1, "WaitTime")];
   take(setValue(tree, count, "target", readExact("4"), supplies));
   const loop = take(loopSteps(tree, [count, wait], 2, supplies));
-  take(repeatUntil(tree, loop, { step: count, port: "reached" }, true, 2, supplies));
+  take(repeatUntil(tree, loop, { step: count, port: "reached" }, true, supplies));
   add(task, 1, "WaitTime");
   try {
     const file = join(folder, "fill.rcm.json");

@@ -75,7 +75,7 @@ export class RandomTask {
     this.named = [];
     const places = this.places();
     const place = random.of(places);
-    const kinds = [...(place.composite === "root" ? ["task"] : ["skill", "skill", "skill"]), ...(place.steps.length > 0 ? ["move", "duplicate", "disable", "remove", "failure", "outcome", "until", "loop", "unloop", "rename", "source"] : [])];
+    const kinds = [...(place.composite === "root" ? ["task"] : ["skill", "skill", "skill"]), ...(place.steps.length > 0 ? ["move", "duplicate", "disable", "remove", "failure", "outcome", "until", "until", "until", "loop", "unloop", "rename", "source"] : [])];
     const kind = this.sizeOf(this.expected) > 40 && place.steps.length > 0 ? "remove" : random.of(kinds);
     const step = place.steps.length > 0 ? random.of(place.steps) : undefined;
     const ended = this.loops().filter(isEnded);
@@ -182,7 +182,7 @@ export class RandomTask {
         return `${step.id} ${port} ${goes}`;
       }
       case "until":
-        return this.until(step);
+        return this.until();
       case "loop":
         return this.loop(steps, at);
       case "unloop":
@@ -245,10 +245,11 @@ export class RandomTask {
   }
 
   /** What a loop repeats says when it ends, or no more. */
-  private until(loop: Expected): string {
-    const ends = loop.kind !== "loop" ? [] : (loop.steps ?? []).flatMap((step) => Object.keys(step.goes).map((port) => ({ step, port })));
+  private until(): string {
+    const ends = this.loops().flatMap((loop) => (loop.steps ?? []).flatMap((step) => Object.keys(step.goes).map((port) => ({ loop, step, port }))));
     if (ends.length === 0) return "nothing";
-    const { step, port } = this.random.of(ends);
+    const chosen = ends.filter(({ step: { goes }, port }) => goes[port] === "leave");
+    const { loop, step, port } = this.random.of(chosen.length > 0 && this.random.pick(2) === 0 ? chosen : ends);
     const goes = step.goes[port] === "leave" ? "end" : "leave";
     const wasEnded = isEnded(loop);
     this.take(repeatUntil(this.tree, loop.id, { step: step.id, port }, goes === "leave", this.supplies));
