@@ -270,11 +270,11 @@ describe("the run of an application", () => {
     await page.getByRole("button", { name: "Run", exact: true }).click();
     await page.getByRole("button", { name: "Start again" }).click();
     await page.getByRole("button", { name: "Yes", exact: true }).click();
-    await page.getByRole("button", { name: "Skip" }).waitFor();
+    await page.getByRole("button", { name: "Go on without it" }).waitFor();
     await page.getByRole("heading", { name: "Move to", exact: true }).waitFor();
     await page.getByRole("heading", { name: "Move to: The place is not known" }).waitFor();
     await fixture.screenshot("one-run-asks");
-    await page.getByRole("button", { name: "Skip" }).click();
+    await page.getByRole("button", { name: "Go on without it" }).click();
     await page.getByRole("heading", { name: "All done" }).waitFor();
     expect(await page.getByRole("region", { name: "What went wrong", exact: true }).count()).toBe(0);
     await page.getByText("Move to: The place is not known. The step was left out, as a person said.").waitFor();

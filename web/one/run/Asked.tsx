@@ -1,10 +1,16 @@
 // What the task shows to people, and the question that it asks: both are answered here.
-import { useId, useState, type ReactNode } from "react";
+import { useId, useMemo, useState, type ReactNode } from "react";
 import type { Question } from "../../generated/messages";
 import { isWayOut } from "../../shared/display/answers";
 import { limits, read } from "../../shared/display/numberText";
 import { canAnswer } from "../../shared/display/page";
+import { buttonTitles, titlesAsked } from "../../shared/timeline/answers";
+import { activeIds } from "../../shared/timeline/progress";
+import { readApplication } from "../../shared/timeline/read";
+import { useSession } from "../client";
+import { useTree } from "../editing";
 import { answer, press, useDisplay } from "./display";
+import { treeOfRun } from "./failed";
 import { texts } from "../texts";
 
 /** `children`: what else can be done than to answer. */
@@ -32,8 +38,22 @@ export function Asked({ children }: { readonly children?: ReactNode }) {
   );
 }
 
+const kNoTitles: ReadonlyMap<string, string> = new Map();
+
+/** What the answers are called, if a step has failed and it is asked what now. */
+function useTitles(): ReadonlyMap<string, string> {
+  const tree = useTree();
+  const active = useSession((s) => s.run?.active);
+  const model = useSession((s) => s.model);
+  return useMemo(() => {
+    const run = treeOfRun({ model });
+    return tree === undefined || run === undefined || active === undefined ? kNoTitles : titlesAsked(tree, readApplication(tree).root, activeIds(active, run));
+  }, [tree, active, model]);
+}
+
 function QuestionHere({ question }: { readonly question: Question }) {
   const may = useDisplay(canAnswer);
+  const titles = useTitles();
   return (
     <div className="question" role="group" aria-label={texts.runView.question}>
       <div role="alert">
@@ -43,9 +63,9 @@ function QuestionHere({ question }: { readonly question: Question }) {
         <NumberHere id={question.id} entry={question.number} may={may} />
       ) : (
         <div className="answers">
-          {question.buttons.map((button) => (
+          {question.buttons.map((button, i) => (
             <button key={button} type="button" className={isWayOut(button) ? "is-out" : "main"} disabled={!may} onClick={() => answer(question.id, button)}>
-              {button}
+              {buttonTitles(question.buttons, titles)[i]}
             </button>
           ))}
         </div>
