@@ -323,6 +323,30 @@ describe("a taught pose", () => {
   });
 });
 
+describe("a pose that nobody has taught", () => {
+  const warning = () => page.getByText("“nowhere_else” is not taught yet.");
+
+  it("is said on the card and before the start, each with the way to where it is taught", async () => {
+    await page.goto(`${fixture.url}/one/?edit=sort-parts`);
+    await card("Move to").click();
+    await panel().getByLabel("Place", { exact: true }).selectOption({ label: "Another…" });
+    await panel().getByLabel("Place: name of the pose").fill("nowhere_else");
+    await panel().getByRole("button", { name: "Use it" }).click();
+    await warning().first().waitFor();
+    expect(await warning().count(), "on the card, and above all tasks").toBe(2);
+    await page.getByRole("button", { name: "Run", exact: true }).click();
+    await warning().waitFor();
+    expect(await page.getByRole("button", { name: /^Start/ }).isEnabled(), "a step may teach it").toBe(true);
+    expect(await faults(page)).toEqual([]);
+    await fixture.screenshot("one-untaught");
+    await page.getByRole("button", { name: "Teach it: “nowhere_else”" }).click();
+    await panel().getByRole("region", { name: "Teach a pose" }).waitFor();
+    await panel().getByRole("button", { name: "Save as nowhere_else" }).click();
+    await panel().getByText("Saved as nowhere_else.").waitFor();
+    await expect.poll(() => warning().count()).toBe(0);
+  });
+});
+
 describe("a pose that is taught in place", () => {
   const heights = async (): Promise<readonly number[]> => ((await fixture.send("POST", "/services/robot/calls", { operation: "state" })) as { readonly result: { readonly pose: { readonly position: readonly number[] } } }).result.pose.position;
 

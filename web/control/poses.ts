@@ -38,11 +38,20 @@ export function createPoses({ api, services }: PosesOptions) {
     }
     return { poses, names };
   }
-  const load = (): Promise<void> =>
-    read().then(
-      (found) => store.dispatch({ ...found, isLoaded: true, problem: undefined }),
-      (error: unknown) => store.dispatch({ isLoaded: true, problem: messageOf(error) }),
+  /** Counts what was begun to be read: what is older than the newest is not taken. */
+  let newest = 0;
+  function load(): Promise<void> {
+    const number = ++newest;
+    const take = (found: Partial<PosesState>): void => {
+      if (number === newest) store.dispatch({ ...found, isLoaded: true });
+    };
+    return read().then(
+      (found) => take({ ...found, problem: undefined }),
+      (error: unknown) => take({ problem: messageOf(error) }),
     );
+  }
+  /** Under way for whoever asks meanwhile. */
+  let reading: Promise<void> | undefined;
 
   /** Says what was in the way. */
   async function change(act: () => Promise<unknown>): Promise<string | undefined> {
@@ -57,8 +66,10 @@ export function createPoses({ api, services }: PosesOptions) {
 
   return {
     store,
-    /** Reads them anew; what is in the way is in the store. */
-    load: (): void => void load(),
+    /** Reads them anew, unless that is under way; what is in the way is in the store. */
+    load: (): void => {
+      reading ??= load().finally(() => (reading = undefined));
+    },
     /** Where the arm is now, under this name; `replaces`: in place of the pose of that name. Says what was in the way. */
     save: (name: string, replaces = false): Promise<string | undefined> =>
       change(async () => {

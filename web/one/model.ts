@@ -1,11 +1,12 @@
 // What the components show of the document: its application, and what is selected.
 import { useMemo } from "react";
 import { readApplication, type Application } from "../shared/timeline/read";
-import { problemsOf, type StepProblem } from "../shared/timeline/problems";
+import { problemsOf, untaughtPoses, type StepProblem, type Untaught } from "../shared/timeline/problems";
 import { allSteps, type Step, type TimeLine } from "../shared/timeline/timeLine";
 import { useSession } from "./client";
 import { useTree } from "./editing";
 import { usePlace } from "./place";
+import { useTaughtPoses } from "./poses";
 
 export function useApplication(): Application | undefined {
   const tree = useTree();
@@ -19,6 +20,15 @@ export function useProblems(): readonly StepProblem[] {
   const tree = useTree();
   const services = useSession((s) => s.services);
   return useMemo(() => (tree === undefined || services.length === 0 ? kNone : problemsOf(tree, readApplication(tree).root, services)), [tree, services]);
+}
+
+const kAllTaught: readonly Untaught[] = [];
+
+/** The poses that steps name and nobody has taught; none as long as it is not known which those are. */
+export function useUntaught(): readonly Untaught[] {
+  const application = useApplication();
+  const { names, isLoaded, problem } = useTaughtPoses();
+  return useMemo(() => (application === undefined || !isLoaded || problem !== undefined ? kAllTaught : untaughtPoses(application.root, names)), [application, names, isLoaded, problem]);
 }
 
 /** A step, and the time line in which it stands. */

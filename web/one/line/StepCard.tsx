@@ -3,8 +3,10 @@ import { fieldOf, valueText } from "../../shared/skills/form";
 import type { StepProblem } from "../../shared/timeline/problems";
 import type { Failure, Step, StepParameter } from "../../shared/timeline/timeLine";
 import { Picture } from "../Picture";
+import { useUntaught } from "../model";
 import { usePlace } from "../place";
 import { select } from "../select";
+import { UntaughtPose } from "../step/Untaught";
 import { texts } from "../texts";
 import { useDrag, useDragged } from "./drag";
 import { Line } from "./Line";
@@ -47,6 +49,7 @@ export function StepCard({ step, problems, isEditable }: Props) {
   const drag = useDrag({ kind: "step", title: step.title, id: step.id });
   const isDragged = useDragged((now) => now?.what.kind === "step" && now.what.id === step.id);
   const problem = problems.find((each) => each.step === step.id);
+  const untaught = useUntaught().filter((each) => each.step === step.id);
   const { about, title, disabled, failure, inner } = step;
   const summary = inner === undefined ? summaryOf(step) : "";
   const icon = step.kind === "loop" ? "repeat" : step.kind === "task" ? "task" : about.icon;
@@ -63,6 +66,9 @@ export function StepCard({ step, problems, isEditable }: Props) {
           {failure !== undefined && failure.kind !== "stop" && <span className="mark">{t.ifItFails(failureText(failure, step.times))}</span>}
           {problem !== undefined && <span className="mark is-problem">{problem.text}</span>}
         </button>
+        {untaught.map((each) => (
+          <UntaughtPose key={each.parameter} untaught={each} />
+        ))}
         {isEditable && <i className="grip" aria-hidden="true" onPointerDown={drag.fromGrip} />}
       </div>
       {inner !== undefined && <Line line={inner} problems={problems} />}

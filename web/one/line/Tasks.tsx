@@ -3,10 +3,11 @@ import { useState, type SubmitEvent } from "react";
 import { addTask } from "../../shared/timeline/changes/add";
 import type { Application } from "../../shared/timeline/read";
 import { perform, useEditing } from "../editing";
-import { useProblems } from "../model";
+import { useProblems, useUntaught } from "../model";
 import { go } from "../place";
 import { select } from "../select";
 import { showSheet } from "../sheet";
+import { UntaughtPose } from "../step/Untaught";
 import { useDragged } from "./drag";
 import { TaskCard } from "./TaskCard";
 import { texts } from "../texts";
@@ -17,12 +18,14 @@ export function Tasks({ application }: { readonly application: Application }) {
   const problems = useProblems();
   const { tasks, isEditable, root } = application;
   const errors = useEditing((now) => now.session?.errors.length ?? 0);
+  const [untaught] = useUntaught();
   return (
     <main className="tasks" aria-label={t.tasks}>
       <div className="tasks-head">
         <h2>{t.tasks}</h2>
         <ReadyText problems={problems.length} errors={errors} first={problems[0]?.step} isEmpty={tasks.length === 0} />
       </div>
+      {untaught !== undefined && <UntaughtPose untaught={untaught} />}
       {!isEditable && (
         <p className="notice">{t.rich(root.reason ?? "")}</p>
       )}

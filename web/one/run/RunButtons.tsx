@@ -3,9 +3,10 @@ import { isSamePress, makeOnce, useIsMaking } from "../../page/starting";
 import { allowed, kEffects, type Command } from "../../shared/run/controls";
 import { api, attempt, useCore, useRefusalOfCommand, useSession } from "../client";
 import { useEditing } from "../editing";
-import { useProblems } from "../model";
+import { useProblems, useUntaught } from "../model";
 import { go } from "../place";
 import { select } from "../select";
+import { UntaughtPose } from "../step/Untaught";
 import { texts } from "../texts";
 import { begin } from "./begin";
 
@@ -19,6 +20,7 @@ export function RunButtons({ name }: { readonly name: string }) {
   const commands = allowed(core);
   const isNew = core === undefined || commands.has("again");
   const [problem] = problems;
+  const [untaught] = useUntaught();
   const notReady = !isNew || (problem === undefined && errors === 0) ? undefined : (problem?.text ?? t.hasErrors);
   const starting = useIsMaking();
   const run = (command: "start" | "pause" | "resume" | "stop") => attempt(async () => core !== undefined && (await api[command](core.id)));
@@ -30,6 +32,7 @@ export function RunButtons({ name }: { readonly name: string }) {
       {commands.has("resume") && <RunButton command="resume" name={t.goOn} isMain disabled={lost || starting} act={() => startOnce(() => run("resume"))} />}
       {commands.has("pause") && <RunButton command="pause" name={t.pause} hint={kEffects.pause} disabled={lost} act={() => isSamePress() || void run("pause")} />}
       {commands.has("stop") && <RunButton command="stop" name={t.end} hint={kEffects.stop} disabled={lost} act={() => void run("stop")} />}
+      {isNew && untaught !== undefined && <UntaughtPose untaught={untaught} />}
       {notReady !== undefined && (
         <p>
           {t.incomplete(notReady)}{" "}

@@ -48,7 +48,7 @@ export function ParameterField({ state, line, parameter: { about, value }, probl
       case "choice":
         return <ChoiceField {...common} choices={field.choices} value={constant} set={(next) => set(exactConstant(next, about.type))} />;
       case "pose":
-        return <PoseField {...common} value={typeof constant === "string" ? constant : undefined} set={set} />;
+        return <PoseField step={state} name={about.name} {...common} value={typeof constant === "string" ? constant : undefined} set={set} />;
       case "label":
         return <LabelField {...common} value={typeof constant === "string" ? constant : ""} set={set} />;
       case "labels":

@@ -1,10 +1,12 @@
 // The name of a taught pose, and how the arm stands there.
-import { lazy, Suspense, useState, type KeyboardEvent } from "react";
+import { lazy, Suspense, useEffect, useRef, useState, type KeyboardEvent } from "react";
 import type { ExactJson } from "../../shared/edit/exact";
 import { reasonAgainstPose } from "../../shared/skills/form";
 import { useSession } from "../client";
+import { loadPoses } from "../poses";
 import { Teach } from "../teach/Teach";
 import { texts } from "../texts";
+import { closeAt, openAt, useIsOpenAt } from "./atPose";
 import { usePoses } from "./known";
 
 const t = texts.pose;
@@ -13,6 +15,9 @@ const t = texts.pose;
 const PosePreview = lazy(() => import("./PosePreview").then(({ PosePreview: shown }) => ({ default: shown })));
 
 interface Props {
+  /** The step, and the name of its parameter. */
+  readonly step: string;
+  readonly name: string;
   readonly id: string;
   readonly label: string;
   readonly disabled: boolean;
@@ -23,12 +28,15 @@ interface Props {
 /** Of the list: another name is typed. */
 const kOther = "";
 
-export function PoseField({ id, label, disabled, value, set }: Props) {
+export function PoseField({ step, name: parameter, id, label, disabled, value, set }: Props) {
   const { names, joints, problem } = usePoses();
   const known = value === undefined ? undefined : joints?.get(value);
   const [typed, setTyped] = useState<string>();
-  const [shows, setShows] = useState(false);
-  const [teaches, setTeaches] = useState(false);
+  const teaches = useIsOpenAt("taught", step, parameter);
+  const shows = useIsOpenAt("shown", step, parameter);
+  const teaching = useRef<HTMLDivElement>(null);
+  useEffect(() => () => closeAt(step, parameter), [step, parameter]);
+  useEffect(() => teaching.current?.scrollIntoView({ block: "nearest" }), [teaches]);
   const hasCell = useSession((s) => s.cell);
   const reason = typed === undefined || typed === "" ? undefined : reasonAgainstPose(typed);
   const choose = (name: string) => {
@@ -54,7 +62,7 @@ export function PoseField({ id, label, disabled, value, set }: Props) {
   };
   return (
     <div className="pose">
-      <select id={id} disabled={disabled} value={typed !== undefined ? kOther : (value ?? "-")} onChange={(event) => choose(event.target.value)}>
+      <select id={id} disabled={disabled} onFocus={loadPoses} value={typed !== undefined ? kOther : (value ?? "-")} onChange={(event) => choose(event.target.value)}>
         {value === undefined && <option value="-">{texts.value.choose}</option>}
         {[...new Set([...(value === undefined ? [] : [value]), ...names])].map((name) => (
           <option key={name} value={name}>
@@ -73,16 +81,20 @@ export function PoseField({ id, label, disabled, value, set }: Props) {
       )}
       {reason !== undefined && <p className="problem">{t.called(reason)}</p>}
       {value !== undefined && hasCell && (
-        <button type="button" aria-expanded={shows} disabled={known === undefined || known.length === 0} onClick={() => setShows(!shows)}>
+        <button type="button" aria-expanded={shows} disabled={known === undefined || known.length === 0} onClick={() => openAt("shown", shows ? undefined : { step, parameter })}>
           {shows ? t.hide : t.show}
         </button>
       )}
       {!disabled && (
-        <button type="button" aria-expanded={teaches} onClick={() => setTeaches(!teaches)}>
+        <button type="button" aria-expanded={teaches} onClick={() => openAt("taught", teaches ? undefined : { step, parameter })}>
           {teaches ? texts.teach.close : texts.teach.open}
         </button>
       )}
-      {teaches && !disabled && <Teach pose={value} onSaved={set} />}
+      {teaches && !disabled && (
+        <div ref={teaching}>
+          <Teach pose={value} onSaved={(saved) => saved !== value && set(saved)} />
+        </div>
+      )}
       {problem !== undefined && <p className="problem">{t.unreadable(problem)}</p>}
       {joints !== undefined && value !== undefined && known === undefined && <p className="problem">{t.notTaught}</p>}
       {shows && known !== undefined && value !== undefined && (

@@ -1,9 +1,8 @@
 // What fields can offer: poses that were taught and labels that the camera knows, as far as this page can find out.
-import { useEffect, useMemo } from "react";
+import { useMemo } from "react";
 import { namedIn, type Named } from "../../shared/skills/named";
-import { useSession } from "../client";
 import { useTree } from "../editing";
-import { hand } from "../hand";
+import { useTaughtPoses } from "../poses";
 import { useNamedElsewhere } from "../skills";
 
 const sorted = (texts: readonly string[]): readonly string[] => [...new Set(texts)].filter((text) => text !== "").sort((a, b) => a.localeCompare(b));
@@ -23,14 +22,10 @@ export interface Poses {
   readonly problem: string | undefined;
 }
 
-/** Poses that documents name and those that were taught, which are read anew when what asks for them is opened. */
+/** Poses that documents name and those that were taught. */
 export function usePoses(): Poses {
   const named = useNamed("poses");
-  const taught = hand.usePoses((now) => now);
-  const isHere = useSession((now) => now.connection === "open");
-  useEffect(() => {
-    if (isHere) hand.poses.load();
-  }, [isHere]);
+  const taught = useTaughtPoses();
   return useMemo(() => {
     const joints = taught.isLoaded && taught.problem === undefined ? new Map(taught.poses.map(({ name, q }) => [name, q])) : undefined;
     return { names: sorted([...named, ...taught.poses.map(({ name }) => name)]), joints, problem: taught.problem };

@@ -25,10 +25,26 @@ function problemsOfStep(tree: Tree, step: Step, here: readonly ServiceHere[]): r
   return [...services, ...values];
 }
 
+/** Steps that are on, with those within. */
+const on = (line: TimeLine): readonly Step[] => [...line.steps, ...line.others].flatMap((step) => (step.disabled ? [] : [step, ...(step.inner === undefined ? [] : on(step.inner))]));
+
 /** Of steps that are on. */
-export function problemsOf(tree: Tree, root: TimeLine, here: readonly ServiceHere[]): readonly StepProblem[] {
-  const on = (line: TimeLine): readonly Step[] => [...line.steps, ...line.others].flatMap((step) => (step.disabled ? [] : [step, ...(step.inner === undefined ? [] : on(step.inner))]));
-  return on(root).flatMap((step) => problemsOfStep(tree, step, here));
+export const problemsOf = (tree: Tree, root: TimeLine, here: readonly ServiceHere[]): readonly StepProblem[] => on(root).flatMap((step) => problemsOfStep(tree, step, here));
+
+/** A step is to move to a pose that nobody has taught. It can be started all the same: a step before may teach it. */
+export interface Untaught {
+  readonly step: string;
+  readonly parameter: string;
+  /** Its name. */
+  readonly pose: string;
+}
+
+/** Of steps that are on. `taught`: the names of all poses. */
+export function untaughtPoses(root: TimeLine, taught: readonly string[]): readonly Untaught[] {
+  const known = new Set(taught);
+  return on(root).flatMap(({ id, parameters }) =>
+    parameters.flatMap(({ about: { name, domain }, value }) => (domain === "pose" && value.kind === "constant" && typeof value.value === "string" && !known.has(value.value) ? [{ step: id, parameter: name, pose: value.value }] : [])),
+  );
 }
 
 export const stepById = (root: TimeLine, id: string): Step | undefined => allSteps(root).find((step) => step.id === id);
