@@ -1,14 +1,13 @@
 // While the arm is moved by hand: its tool is another one than at first, or its service is gone.
-import { useEffect, useState } from "react";
+import { useState } from "react";
 import type { HostedService } from "../generated/messages";
-import { toolOf, toolWarning, type Tool } from "../shared/control/tool";
+import { toolOf, toolWarning } from "../shared/control/tool";
 
 export function ToolNotice({ services }: { readonly services: readonly HostedService[] }) {
-  const [first, setFirst] = useState<Tool>();
   const now = toolOf(services);
-  useEffect(() => {
-    setFirst((before) => before ?? toolOf(services));
-  }, [services]);
+  const [first, setFirst] = useState(now);
+  // The services may not be known at once.
+  if (first === undefined && now !== undefined) setFirst(now);
   const warning = toolWarning(first, services);
   if (warning === undefined) return null;
   return (

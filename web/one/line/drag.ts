@@ -1,10 +1,10 @@
 // Dragging a skill, or a step, to a place in a time line: with the mouse anywhere on its card, by touch at its grip. A store of what is dragged,
 // and where it would go.
-import { useRef } from "react";
+import { useState } from "react";
 import type { SkillPlace } from "../../shared/timeline/changes/add";
 import { createStore, useSelected } from "../../page/store";
 import { dropSkill, dropStep } from "../step/actions";
-import { pressHandlers, type PressHandlers } from "./press";
+import { createLastPress, pressHandlers, type PressHandlers } from "./press";
 
 export type Dragged = { readonly kind: "skill"; readonly title: string; readonly place: SkillPlace } | { readonly kind: "step"; readonly title: string; readonly id: string };
 
@@ -76,6 +76,6 @@ function follow(event: React.PointerEvent, what: Dragged, onEnd: (dragged: boole
 }
 
 export function useDrag(what: Dragged): PressHandlers<React.PointerEvent> {
-  const dragged = useRef(false);
-  return pressHandlers(dragged, (event, onEnd) => follow(event, what, onEnd));
+  const [last] = useState(createLastPress);
+  return pressHandlers(last, (event, onEnd) => follow(event, what, onEnd));
 }

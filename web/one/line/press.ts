@@ -13,13 +13,24 @@ export interface PressHandlers<E extends PressEvent> {
   readonly isClick: (click: { readonly detail: number }) => boolean;
 }
 
-/** `dragged`: of the last press on the card, kept over drawings. `follow` says at the end of a press whether it was a drag. */
-export function pressHandlers<E extends PressEvent>(dragged: { current: boolean }, follow: (event: E, onEnd: (was: boolean) => void) => void): PressHandlers<E> {
+/** Of the last press on a card, kept over its drawings. */
+export interface LastPress {
+  readonly wasDrag: () => boolean;
+  readonly note: (wasDrag: boolean) => void;
+}
+
+export function createLastPress(): LastPress {
+  let drag = false;
+  return { wasDrag: () => drag, note: (was) => void (drag = was) };
+}
+
+/** `follow` says at the end of a press whether it was a drag. */
+export function pressHandlers<E extends PressEvent>(last: LastPress, follow: (event: E, onEnd: (was: boolean) => void) => void): PressHandlers<E> {
   return {
     fromCard: (event) => {
-      dragged.current = false;
+      last.note(false);
       // A finger on a card scrolls.
-      if (event.pointerType === "mouse" && event.button === 0) follow(event, (was) => (dragged.current = was));
+      if (event.pointerType === "mouse" && event.button === 0) follow(event, last.note);
     },
     // The grip stands beside the card: no click on the card ends a press there.
     fromGrip: (event) => {
@@ -27,6 +38,6 @@ export function pressHandlers<E extends PressEvent>(dragged: { current: boolean 
       if (event.button === 0) follow(event, () => undefined);
     },
     // A key gives a click without a press.
-    isClick: ({ detail }) => detail === 0 || !dragged.current,
+    isClick: ({ detail }) => detail === 0 || !last.wasDrag(),
   };
 }

@@ -1,6 +1,6 @@
 // A card that was dragged can be tapped, clicked and pressed by a key afterwards; the click that ends a drag does nothing.
 import { expect, test } from "vitest";
-import { pressHandlers, type PressEvent } from "../../one/line/press";
+import { createLastPress, pressHandlers, type PressEvent } from "../../one/line/press";
 
 const kClick = { detail: 1 };
 const kByKey = { detail: 0 };
@@ -8,7 +8,7 @@ const kByKey = { detail: 0 };
 /** A card; what it is told of the end of the press that is followed. */
 function card() {
   let end: ((was: boolean) => void) | undefined;
-  const handlers = pressHandlers<PressEvent>({ current: false }, (_, onEnd) => (end = onEnd));
+  const handlers = pressHandlers<PressEvent>(createLastPress(), (_, onEnd) => (end = onEnd));
   const by = (pointerType: string, button = 0): PressEvent => ({ pointerType, button, preventDefault: () => undefined });
   const letGo = (wasDragged: boolean) => {
     end?.(wasDragged);
