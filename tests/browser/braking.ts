@@ -60,7 +60,7 @@ export async function watchRobot({ send }: Pick<Fixture, "send">): Promise<Robot
   return {
     moves: async () => ((await speeds(2)).at(-1)?.[1] ?? 0) > kStands,
     braking: async (lost) => {
-      const all = (await speeds(500)).filter(([at]) => at >= lost - 100);
+      const all = (await speeds(800)).filter(([at]) => at >= lost - 100);
       const brakes = all.find(([at, speed], i) => at >= lost - 1000 * kPeriod && speed - (all[i + 1]?.[1] ?? speed) > kBrakes * kPeriod);
       if (brakes === undefined) throw new Error(`it did not brake: ${JSON.stringify(all.filter((_, i) => i % 10 === 0))}`);
       const stands = all.find(([at, speed]) => at > brakes[0] && speed < kStands);

@@ -12,11 +12,12 @@ const kShare = 0.5;
 const kGone = 300;
 const kReleased = 100;
 
-/** The pages by which the arm is moved, and where they have the slider of its speed. */
-const kPages = {
-  pro: { path: "/pro/?below=manual", slider: '[aria-label="Manual control"] input[type="range"]' },
-  phone: { path: "/display/?name=phone1#move/joints", slider: '.move input[type="range"]' },
-} as const;
+/** The pages by which the arm is moved, the slider of its speed there, the button of the joints, and what is said without a network. */
+const kPages: Readonly<Record<"pro" | "one" | "phone", { readonly path: string; readonly slider: string; readonly way?: string; readonly said: string }>> = {
+  pro: { path: "/pro/?below=manual", slider: '[aria-label="Manual control"] input[type="range"]:not(.speed-override *)', said: "Server lost" },
+  one: { path: "/one/?guide=part", slider: '.teach input[type="range"]', way: "Joints", said: "Server lost" },
+  phone: { path: "/display/?name=phone1#move/joints", slider: '.move input[type="range"]', said: "No connection" },
+};
 type Page = keyof typeof kPages;
 
 const button = (name: string): string => `[...document.querySelectorAll("button")].find((each) => each.textContent.trim() === ${JSON.stringify(name)} && !each.disabled)`;
@@ -65,6 +66,8 @@ describe("a person who is lost with the page that moves the arm", () => {
     await press("Take the controls");
     await tab.until(`document.body.innerText.includes("You have the controls")`);
     if (((await fixture.send("GET", "/control")) as { readonly mode: string }).mode !== "programming") await press("Programming");
+    const { way } = kPages[page];
+    if (way !== undefined) await press(way);
     // So that it slows down over several states of the robot.
     await tab.evaluate(`(() => {
       const slider = document.querySelector(${JSON.stringify(kPages[page].slider)});
@@ -113,15 +116,14 @@ describe("a person who is lost with the page that moves the arm", () => {
   it("or the button is released", () => measure("released button", (label) => tab.mouse("mouseReleased", label), "pro", fixture.url, kReleased));
   it("on a phone: by another page that is shown", () => measure("hidden page of a phone", () => tab.showAnother(), "phone"));
   it("on a phone: or the button is released", () => measure("released button of a phone", (label) => tab.mouse("mouseReleased", label), "phone", fixture.url, kReleased));
-  it.each([
-    ["pro", "Server lost"],
-    ["phone", "No connection"],
-  ] as const)("by the network of the page %s, which says so", (page, said) =>
+  it("in RACE-One: by another tab that is shown", () => measure("hidden tab of RACE-One", () => tab.showAnother(), "one"));
+  it("in RACE-One: or the button is released", () => measure("released button of RACE-One", (label) => tab.mouse("mouseReleased", label), "one", fixture.url, kReleased));
+  it.each(["pro", "one", "phone"] as const)("by the network of the page %s, which says so", (page) =>
     measure(
       `lost network of ${page}`,
       async () => {
         network.lose();
-        await tab.until(`document.querySelector('[aria-label=${JSON.stringify(said)}]')`);
+        await tab.until(`document.querySelector('[aria-label=${JSON.stringify(kPages[page].said)}]')`);
         network.restore();
       },
       page,

@@ -46,6 +46,8 @@ describe.each(["pro", "one"] as const)("a silent network of the page %s", (name)
 
   it("is said, and the controls are given back", async () => {
     await take(page).click();
+    // The page knows it, too.
+    await page.getByText("You have the controls").first().waitFor();
     await expect.poll(holder).not.toBeNull();
     network.lose();
     await lost(page).waitFor(kSoon);

@@ -270,11 +270,11 @@ describe("the run of an application", () => {
     await page.getByRole("button", { name: "Run", exact: true }).click();
     await page.getByRole("button", { name: "Start again" }).click();
     await page.getByRole("button", { name: "Yes", exact: true }).click();
-    await page.getByRole("button", { name: "Go on without it" }).waitFor();
+    await page.getByRole("button", { name: "Go on with the next step" }).waitFor();
     await page.getByRole("heading", { name: "Move to", exact: true }).waitFor();
     await page.getByRole("heading", { name: "Move to: The place is not known" }).waitFor();
     await fixture.screenshot("one-run-asks");
-    await page.getByRole("button", { name: "Go on without it" }).click();
+    await page.getByRole("button", { name: "Go on with the next step" }).click();
     await page.getByRole("heading", { name: "All done" }).waitFor();
     expect(await page.getByRole("region", { name: "What went wrong", exact: true }).count()).toBe(0);
     await page.getByText("Move to: The place is not known. The step was left out, as a person said.").waitFor();
@@ -341,7 +341,7 @@ describe("a pose that nobody has taught", () => {
     await fixture.screenshot("one-untaught");
     await page.getByRole("button", { name: "Teach it: “nowhere_else”" }).click();
     await panel().getByRole("region", { name: "Teach a pose" }).waitFor();
-    await panel().getByRole("button", { name: "Save as nowhere_else" }).click();
+    await panel().getByRole("button", { name: "Save “nowhere_else” here" }).click();
     await panel().getByText("Saved as nowhere_else.").waitFor();
     await expect.poll(() => warning().count()).toBe(0);
   });
@@ -528,6 +528,7 @@ describe("on a phone and a tablet", () => {
     await expect.poll(async () => (await titles(task("Pause a bit", phone))).slice(0, 2)).toEqual([before[1], before[0]]);
     // What was dragged can be tapped.
     await card("Wait", phone).first().tap();
+    await fixture.screenshot("one-phone-dragged", phone);
     await panel(phone).getByLabel("For", { exact: true }).waitFor();
     expect(await card("Wait", phone).first().getAttribute("aria-pressed")).toBe("true");
     await phone.goto(`${fixture.url}/one/?edit=sort-parts#run`);

@@ -1,9 +1,10 @@
 // The taught poses: read once for all that shows them, and anew when they may be others.
 import { useEffect } from "react";
 import type { PosesState } from "../control/poses";
+import { refusalTo } from "../shared/login/doings";
 import { isOver } from "../shared/run/controls";
 import { watchedCore } from "../shared/session/session";
-import { session } from "./client";
+import { me, session } from "./client";
 import { hand } from "./hand";
 
 /** The connection, and the run that is over: it may have taught some. */
@@ -13,8 +14,9 @@ function stateNow(): string {
   return `${now.connection} ${core !== undefined && isOver(core) ? core.id : ""}`;
 }
 
+/** An observer is told of none. */
 export function loadPoses(): void {
-  if (session.get().connection === "open") hand.poses.load();
+  if (session.get().connection === "open" && refusalTo(me(), "call_service") === undefined) hand.poses.load();
 }
 
 let isFollowed = false;

@@ -1,6 +1,6 @@
 // Whether the server answers: where a network is gone, no socket says so for minutes.
 
-/** Between two questions [ms]. */
+/** Without a word of the server for so long it is asked; also between the beginnings of two questions [ms]. */
 export const kAsk = 1000;
 /** Without an answer for so long [ms], a question has failed. */
 export const kPatience = 1500;
@@ -41,9 +41,9 @@ export function watchReach({ fetcher, now, every, timeout, isSeen, isOpen, onLos
   let asks = false;
   let failed = 0;
   let isLost = false;
-  /** Messages that were not looked for yet. */
-  let heard = 0;
   let wasBusy = false;
+  /** When the last question began, and when the server last said something. */
+  let [asked, heard] = [now(), now()];
   let looked = now();
 
   function look(): void {
@@ -52,13 +52,9 @@ export function watchReach({ fetcher, now, every, timeout, isSeen, isOpen, onLos
     if (late > kBusy) wasBusy = true;
     if (late > kAsleep) failed = 0;
   }
-  function hasHeard(): boolean {
-    const has = heard > 0;
-    heard = 0;
-    return has;
-  }
   function answered(): void {
     failed = 0;
+    heard = now();
     if (isLost && isOpen()) isLost = false;
     else if (isLost) onBack();
   }
@@ -72,24 +68,24 @@ export function watchReach({ fetcher, now, every, timeout, isSeen, isOpen, onLos
     onLost();
   }
   async function ask(): Promise<void> {
-    if (asks || !isSeen() || !(isOpen() || isLost)) return;
-    if (hasHeard()) {
-      answered();
-      return;
-    }
+    if (asks || !isSeen() || !(isOpen() || isLost) || now() - Math.max(asked, heard) < kAsk) return;
     asks = true;
+    asked = now();
     wasBusy = false;
     try {
       await fetcher("/api/v1/health", { cache: "no-store", signal: timeout(kPatience) });
       answered();
     } catch {
       // Refused at once, or silence: the same.
-      if (hasHeard()) answered();
+      if (heard > asked) answered();
       else unanswered();
     } finally {
       asks = false;
     }
   }
-  const ends = [every(kLook, look), every(kAsk, () => void ask())];
-  return { heard: () => void heard++, end: () => ends.forEach((end) => end()) };
+  const end = every(kLook, () => {
+    look();
+    void ask();
+  });
+  return { heard: () => void (heard = now()), end };
 }

@@ -1,12 +1,12 @@
 // Whether the server answers, on a page whose clock is of the test.
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import { kAsk, kFailures, kPatience, watchReach } from "../shared/reach";
+import { kAsk, kFailures, kLook, kPatience, watchReach } from "../shared/reach";
 
 beforeEach(() => void vi.useFakeTimers());
 afterEach(() => void vi.useRealTimers());
 
 /** Until silence is certain, and a little more [ms]. */
-const kCertain = kAsk + kFailures * (kPatience + kAsk);
+const kCertain = kAsk + kFailures * kPatience + 3 * kLook;
 
 const there = () => Promise.resolve(new Response("", { status: 503 }));
 const refused = () => Promise.reject(new TypeError("Failed to fetch"));

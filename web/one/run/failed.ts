@@ -4,7 +4,7 @@ import { buildTree } from "../../shared/model/modelTree";
 import { causes } from "../../shared/run/causes";
 import { isBadOutcome, isOver } from "../../shared/run/controls";
 import { watchedCore, type Session } from "../../shared/session/session";
-import { kNoFailures, lastOf, pastOf, withFailures, type FailureLog, type PastFailure } from "../../shared/timeline/failures";
+import { kNoFailures, lastOf, openOf, pastOf, withFailures, type FailureLog, type PastFailure } from "../../shared/timeline/failures";
 import { failedIn, type Failed, type Progress } from "../../shared/timeline/progress";
 import { posesToTeach } from "../../shared/timeline/teachable";
 import type { Application } from "../../shared/timeline/read";
@@ -64,9 +64,10 @@ export function useFailures(application: Application | undefined, progress: Prog
     const [tree, step] = [treeOfRun({ model }), progress.now.at(-1)];
     if (!isGoing) return seen === undefined ? found : withPoses(session.get(), seen);
     if (!progress.failing || tree === undefined || step === undefined || run === undefined) return undefined;
-    const failed = failedIn(run.ports, tree, [step]);
+    // Its port is not active any more when what handled it first has given up.
+    const failed = failedIn(run.ports, tree, [step]) ?? openOf(log, step.id);
     return failed && withPoses(session.get(), failed);
-  }, [isGoing, seen, found, progress, run, model]);
+  }, [isGoing, seen, found, progress, run, model, log]);
   return { now, past: useMemo(() => pastOf(log, seen), [log, seen]) };
 }
 

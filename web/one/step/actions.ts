@@ -35,9 +35,10 @@ export function whereToAdd(application: Application, task: string | undefined, s
 /** The loop or task of which a composite is the time line. */
 const lineWithId = (application: Application, composite: string) => application.tasks.flatMap((each) => [each, ...(each.inner?.steps ?? [])]).find(({ inner }) => inner?.id === composite);
 
-function added(id: string | undefined): void {
+/** `opens`: on a small screen its settings, too. */
+function changed(id: string | undefined, opens: boolean): void {
   if (id === undefined || id === "") return;
-  select(id);
+  select(id, opens);
   focusCard(id);
 }
 
@@ -48,13 +49,13 @@ export function addSelectedSkill(skill: SkillPlace): void {
   else dropSkill(skill, where);
 }
 
-export const dropSkill = (skill: SkillPlace, { composite, index }: DropPlace): void => added(perform((tree, supplies) => addSkill(tree, composite, index, skill, supplies)));
+export const dropSkill = (skill: SkillPlace, { composite, index }: DropPlace): void => changed(perform((tree, supplies) => addSkill(tree, composite, index, skill, supplies)), true);
 
 export function dropStep(id: string, { composite, index }: DropPlace): void {
   const tree = treeNow();
   const found = tree === undefined ? undefined : findStep(readApplication(tree).root, id);
   if (found?.line.id === composite && found.line.steps.findIndex((step) => step.id === id) === index) return;
-  added(perform((now, supplies) => moveStep(now, id, composite, index, supplies)));
+  changed(perform((now, supplies) => moveStep(now, id, composite, index, supplies)), false);
 }
 
 /** What is selected: a step, else a task. */
@@ -97,7 +98,7 @@ export function removeSelected(): void {
 export const duplicate = (id: string): Promise<void> =>
   attempt(async () => {
     const exact = await exactDocument();
-    added(perform((tree, supplies) => duplicateStep(tree, exact, id, supplies)));
+    changed(perform((tree, supplies) => duplicateStep(tree, exact, id, supplies)), true);
   });
 
 export function duplicateSelected(): void {
@@ -107,6 +108,6 @@ export function duplicateSelected(): void {
 
 export const turn = (id: string, off: boolean): void => void perform((tree, supplies) => setDisabled(tree, id, off, supplies));
 
-export const repeat = (ids: readonly string[]): void => added(perform((tree, supplies) => loopSteps(tree, ids, kTimes, supplies)));
+export const repeat = (ids: readonly string[]): void => changed(perform((tree, supplies) => loopSteps(tree, ids, kTimes, supplies)), true);
 
-export const repeatNoMore = (id: string): void => added(perform((tree, supplies) => unloop(tree, id, supplies)));
+export const repeatNoMore = (id: string): void => changed(perform((tree, supplies) => unloop(tree, id, supplies)), true);

@@ -93,6 +93,11 @@ export function pastOf({ failures }: FailureLog, except?: StepFailure): readonly
   return past;
 }
 
+/** The failure of a step of which it is not decided what becomes; nothing: the log does not have it. */
+export function openOf({ failures }: FailureLog, step: string): StepFailure | undefined {
+  return failures.filter((each) => each.step.id === step && each.became === undefined).at(-1);
+}
+
 /** The failure with which a run has ended badly: nobody has put it right. Nothing: the log does not have it. */
 export function lastOf({ failures }: FailureLog): StepFailure | undefined {
   const last = failures.at(-1);

@@ -3,7 +3,7 @@ import { describe, expect, it } from "vitest";
 import type { JsonValue } from "../../shared/json";
 import { buildTree } from "../../shared/model/modelTree";
 import { readModel } from "../../shared/model/readModel";
-import { kNoFailures, lastOf, pastOf, withFailures, type FailureLog } from "../../shared/timeline/failures";
+import { kNoFailures, lastOf, openOf, pastOf, withFailures, type FailureLog } from "../../shared/timeline/failures";
 import { readApplication } from "../../shared/timeline/read";
 import { allSteps, type Step } from "../../shared/timeline/timeLine";
 import { treeOf } from "../edit/documents";
@@ -53,6 +53,15 @@ describe("a failure", () => {
     const after = (then: "stop" | "next" | "leave" | "ask") => became(logOf({ kind: "retry", then }, [kFails], [handled("give_up")]));
     expect([after("stop"), after("next"), after("leave"), after("ask")]).toEqual([["stopped"], ["next"], ["left"], [undefined]]);
     expect(became(logOf({ kind: "retry", then: "ask" }, [kFails], [handled("give_up")], [handled("skip")]))).toEqual(["skipped"]);
+  });
+
+  it("is open until that is decided, also when what handled it first has given up", () => {
+    const kAskThen = { kind: "retry", then: "ask" } as const;
+    const asked = logOf(kAskThen, [kFails], [handled("again")], [kFails], [handled("give_up")]);
+    expect(openOf(asked, "pick")).toMatchObject({ title: "No part was found" });
+    expect(openOf(asked, "handler")).toBeUndefined();
+    expect(openOf(logOf(kAskThen, [kFails], [handled("again")]), "pick")).toBeUndefined();
+    expect(openOf(logOf(kAskThen, [kFails], [handled("give_up")], [handled("skip")]), "pick")).toBeUndefined();
   });
 
   it("of a step that nothing handles is decided at once", () => {
