@@ -526,7 +526,10 @@ describe("on a phone and a tablet", () => {
     for (let i = 1; i <= 8; i++) await touch("touchMove", { x: from.x, y: from.y + ((to.y + 20 - from.y) * i) / 8 });
     await touch("touchEnd");
     await expect.poll(async () => (await titles(task("Pause a bit", phone))).slice(0, 2)).toEqual([before[1], before[0]]);
-    // What was dragged can be tapped.
+    // What was dragged is selected, with nothing over the tasks, and can be tapped.
+    await expect.poll(() => card("Wait", phone).first().getAttribute("aria-pressed")).toBe("true");
+    await phone.waitForTimeout(800); // a tap that follows a touch within less is the second of a double tap
+    expect(await panel(phone).isVisible()).toBe(false);
     await card("Wait", phone).first().tap();
     await fixture.screenshot("one-phone-dragged", phone);
     await panel(phone).getByLabel("For", { exact: true }).waitFor();

@@ -18,7 +18,9 @@ export function SavePose({ hand, stem, fixed, isNamed, onSaved }: Props) {
   const refusal = hand.useRefusal("call_service");
   const names = hand.usePoses((now) => now.names);
   const isLoaded = hand.usePoses((now) => now.isLoaded);
-  useEffect(() => hand.poses.load(), [hand]);
+  useEffect(() => {
+    hand.poses.load();
+  }, [hand]);
   const [saving, dispatch] = useReducer(applySaving, kFirstSaving);
   const [busy, setBusy] = useState(false);
   const id = useId();

@@ -36,7 +36,9 @@ export function PoseField({ step, name: parameter, id, label, disabled, value, s
   const shows = useIsOpenAt("shown", step, parameter);
   const teaching = useRef<HTMLDivElement>(null);
   useEffect(() => () => closeAt(step, parameter), [step, parameter]);
-  useEffect(() => teaching.current?.scrollIntoView({ block: "nearest" }), [teaches]);
+  useEffect(() => {
+    teaching.current?.scrollIntoView({ block: "nearest" }); // gives a promise in some browsers
+  }, [teaches]);
   const hasCell = useSession((s) => s.cell);
   const reason = typed === undefined || typed === "" ? undefined : reasonAgainstPose(typed);
   const choose = (name: string) => {
