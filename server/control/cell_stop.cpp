@@ -56,7 +56,7 @@ Expected<void> CellStop::set_mode(std::uint64_t number, Mode mode) {
     const services::MutexLock lock(modes_mutex_);
     if (mode == Mode::programming) limit_speed(mode);
     auto changed = control_.set_mode(number, mode);
-    limit_speed(control_.mode());
+    if (!changed || mode != Mode::programming) limit_speed(control_.mode());
     if (!changed) return tl::unexpected(std::move(changed).error());
     ended = *std::move(changed);
     write_mode();
