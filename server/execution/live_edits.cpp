@@ -14,9 +14,12 @@ void LiveEdits::changed(const std::string& document) {
 }
 
 void LiveEdits::close() {
-  const services::MutexLock lock(mutex_);
-  closed_ = true;
-  changed_.clear();
+  {
+    const services::MutexLock lock(mutex_);
+    closed_ = true;
+    changed_.clear();
+  }
+  pool_.end();
 }
 
 void LiveEdits::bring_all() {

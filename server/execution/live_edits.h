@@ -25,7 +25,7 @@ class LiveEdits final : public DocumentWatcher {
   /// The document has another revision, or a core begins to follow it.
   void changed(const std::string& document) EXCLUDES(mutex_);
   void document_changed(const std::string& name, std::int64_t, bool) override { changed(name); }
-  /// No more is brought.
+  /// No more is brought, and what was on its way has been: the cores may end then. Not on the thread that brings.
   void close() EXCLUDES(mutex_);
 
  private:

@@ -2,6 +2,7 @@
 import { useEffect, useState } from "react";
 import { afterFirstDrawing } from "../canvas/firstDrawing";
 import { parametersOf } from "../runCommands";
+import { useIsMaking } from "../../page/starting";
 import { useRefusal } from "../login/rights";
 import { ArgumentsForm } from "./ArgumentsForm";
 import { requestRun, useAsked } from "./asking";
@@ -21,6 +22,7 @@ export function LoadRun({ document, refusal: ofDocument, refusalId, offline }: P
   const refusal = ofAccount ?? ofDocument;
   const [hasParameters, setHasParameters] = useState(false);
   const asked = useAsked();
+  const making = useIsMaking();
   const possible = document !== undefined && refusal === undefined;
 
   useEffect(() => {
@@ -36,7 +38,7 @@ export function LoadRun({ document, refusal: ofDocument, refusalId, offline }: P
     <>
       <button
         type="button"
-        disabled={!possible || offline}
+        disabled={!possible || offline || making}
         title={refusal}
         aria-describedby={ofDocument === undefined ? undefined : refusalId}
         onClick={() => document !== undefined && void requestRun(document, false)}
@@ -44,7 +46,7 @@ export function LoadRun({ document, refusal: ofDocument, refusalId, offline }: P
         Load
       </button>
       {hasParameters && possible && (
-        <button type="button" aria-haspopup="dialog" disabled={offline} title="Make a run with arguments" onClick={() => void requestRun(document, true)}>
+        <button type="button" aria-haspopup="dialog" disabled={offline || making} title="Make a run with arguments" onClick={() => void requestRun(document, true)}>
           Arguments…
         </button>
       )}
