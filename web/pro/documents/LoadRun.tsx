@@ -46,7 +46,7 @@ export function LoadRun({ document, refusal: ofDocument, refusalId, offline }: P
         Load
       </button>
       {hasParameters && possible && (
-        <button type="button" aria-haspopup="dialog" disabled={offline || making} title="Make a run with arguments" onClick={() => void requestRun(document, true)}>
+        <button type="button" aria-haspopup="dialog" disabled={offline} title="Make a run with arguments" onClick={() => void requestRun(document, true)}>
           Arguments…
         </button>
       )}

@@ -20,12 +20,14 @@ export const useAsked = (): Asked | undefined => useSelected(store, (asked) => a
 export const closeForm = (): void => store.dispatch(undefined);
 
 /** Makes a run of the document as it is now, and starts it if asked; asks for arguments if it needs some, or if it has parameters and is to ask `always`. */
-export const requestRun = (document: string, always: boolean, start = false): Promise<void> =>
-  makeOnce(() =>
+export function requestRun(document: string, always: boolean, start = false): Promise<void> {
+  const request = () =>
     attempt(async () => {
       const parameters = await parametersOf(document);
       if (parameters.length > 0 && (always || !areOptional(parameters))) store.dispatch({ document, parameters });
       else if (start) await makeStarted(document, {});
       else await makeRun(document, false, {});
-    }),
-  );
+    });
+  // To ask makes nothing: two presses open one form.
+  return always ? request() : makeOnce(request);
+}
