@@ -23,7 +23,7 @@ timed() {
 }
 
 # What tests and sanitizers say of what went wrong, of long logs.
-readonly findings='(^|[^a-z])(FAILED|FAIL:|Failure|ERROR: |SUMMARY: |runtime error|AssertionError|error:)'
+readonly findings='(^|[^a-z])(FAILED|FAIL:| FAIL |Failure|ERROR: |SUMMARY: |runtime error|AssertionError|error:)'
 
 # stage NAME COMMAND...: runs it with its output in a log and its reports in a folder of its own; says how it went and how
 # long it took. A build that broke or a program that never reported is one failure by itself.
