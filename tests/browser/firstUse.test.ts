@@ -211,6 +211,7 @@ describe.each(kScreens)("the first use on a %s", (screen, device) => {
     expect(finger.count()).toBeLessThanOrEqual(kMostTouches);
     expect(time).toBeLessThan(kMostTime);
     expect(off).toBeLessThan(kNear);
+    expect(Math.abs((part[2] ?? Number.NaN) - kGrasp), "it stands on the table").toBeLessThan(kNear);
     expect(Math.hypot((goal[0] ?? 0) - kGoal[0], (goal[1] ?? 0) - kGoal[1])).toBeLessThan(kNear);
   }, kMostTime);
 

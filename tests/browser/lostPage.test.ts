@@ -12,11 +12,11 @@ const kShare = 0.5;
 const kGone = 300;
 const kReleased = 100;
 
-/** The pages by which the arm is moved, the slider of its speed there, the button of the joints, and what is said without a network. */
-const kPages: Readonly<Record<"pro" | "one" | "phone", { readonly path: string; readonly slider: string; readonly way?: string; readonly said: string }>> = {
-  pro: { path: "/pro/?below=manual", slider: '[aria-label="Manual control"] input[type="range"]:not(.speed-override *)', said: "Server lost" },
-  one: { path: "/one/?guide=part", slider: '.teach input[type="range"]', way: "Joints", said: "Server lost" },
-  phone: { path: "/display/?name=phone1#move/joints", slider: '.move input[type="range"]', said: "No connection" },
+/** The pages by which the arm is moved, by a finger or a mouse, the slider of its speed there, the button of the joints, and what is said without a network. */
+const kPages: Readonly<Record<"pro" | "one" | "phone", { readonly touch: boolean; readonly path: string; readonly slider: string; readonly way?: string; readonly said: string }>> = {
+  pro: { touch: false, path: "/pro/?below=manual", slider: '[aria-label="Manual control"] input[type="range"]:not(.speed-override *)', said: "Server lost" },
+  one: { touch: true, path: "/one/?guide=part", slider: '.teach input[type="range"]', way: "Joints", said: "Server lost" },
+  phone: { touch: true, path: "/display/?name=phone1#move/joints", slider: '.move input[type="range"]', said: "No connection" },
 };
 type Page = keyof typeof kPages;
 
@@ -54,7 +54,7 @@ describe("a person who is lost with the page that moves the arm", () => {
   async function open(page: Page, url = fixture.url): Promise<void> {
     const browser = fixture.page.context().browser();
     if (browser === null) throw new Error("there is no browser");
-    tab = await openRealTab(browser, `${url}${kPages[page].path}`);
+    tab = await openRealTab(browser, `${url}${kPages[page].path}`, kPages[page].touch);
     await tab.until(button("Take the controls"));
   }
 
@@ -85,7 +85,7 @@ describe("a person who is lost with the page that moves the arm", () => {
       isTurned = !isTurned;
       return moving(page, url);
     }
-    await tab.mouse("mousePressed", label);
+    await tab.press(label);
     await expect.poll(robot.moves, { timeout: 10_000 }).toBe(true);
     await fixture.page.waitForTimeout(700);
     return label;
@@ -117,11 +117,11 @@ describe("a person who is lost with the page that moves the arm", () => {
   it("by a browser that freezes it", () => measure("frozen page", () => tab.freeze()));
   it("by its tab that is closed", () => measure("closed tab", () => tab.close()));
   it("by its process that ends", () => measure("ended process", () => tab.crash()));
-  it("or the button is released", () => measure("released button", (label) => tab.mouse("mouseReleased", label), "pro", fixture.url, kReleased));
+  it("or the button is released", () => measure("released button", (label) => tab.release(label), "pro", fixture.url, kReleased));
   it("on a phone: by another page that is shown", () => measure("hidden page of a phone", () => tab.showAnother(), "phone"));
-  it("on a phone: or the button is released", () => measure("released button of a phone", (label) => tab.mouse("mouseReleased", label), "phone", fixture.url, kReleased));
+  it("on a phone: or the button is released", () => measure("released button of a phone", (label) => tab.release(label), "phone", fixture.url, kReleased));
   it("in RACE-One: by another tab that is shown", () => measure("hidden tab of RACE-One", () => tab.showAnother(), "one"));
-  it("in RACE-One: or the button is released", () => measure("released button of RACE-One", (label) => tab.mouse("mouseReleased", label), "one", fixture.url, kReleased));
+  it("in RACE-One: or the button is released", () => measure("released button of RACE-One", (label) => tab.release(label), "one", fixture.url, kReleased));
   it.each(["pro", "one", "phone"] as const)("by the network of the page %s, which says so", (page) =>
     measure(
       `lost network of ${page}`,

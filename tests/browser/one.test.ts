@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { devices, type Locator, type Page } from "playwright-core";
 import { findings } from "./axe";
 import { dragTo } from "./hands";
-import { binary, openFixture, openPrepared, project, settled, type Fixture } from "./fixture";
+import { binary, demo, openFixture, openPrepared, project, settled, type Fixture } from "./fixture";
 
 interface StateJson {
   readonly state: string;
@@ -54,6 +54,14 @@ const titles = (within: Locator) => within.locator(".step > .card strong").allIn
 const panel = (of = page) => of.getByRole("complementary", { name: "What is selected" });
 const saved = (of = page) => of.getByRole("status", { name: "Connection" }).filter({ hasText: "Saved" }).waitFor();
 const status = (of = page) => of.getByRole("status", { name: "Run status" });
+
+/** Keeps a value in the database, as a task does. */
+async function keep(key: string, value: unknown): Promise<void> {
+  await fixture.send("PUT", "/documents/keep", { rcm: 1, services: { db: "database" }, root: { state: "Keep", entry: `svc.db.add('${key}', ${JSON.stringify(value)})`, ports: [{ name: "success", when: "svc.db.add.result" }] } });
+  const { id } = (await fixture.send("POST", "/cores", { document: "keep" })) as { readonly id: string };
+  await fixture.send("POST", `/cores/${id}/start`);
+  await expect.poll(async () => ((await fixture.send("GET", `/cores/${id}`)) as { readonly status: string }).status).toBe("ended");
+}
 
 async function middle(part: Locator): Promise<{ readonly x: number; readonly y: number }> {
   const box = await part.boundingBox();
@@ -147,7 +155,7 @@ describe("an application of skills", () => {
     const before = await titles(task("Pause a bit"));
     await skill("Cut").click({ force: true });
     await page.getByLabel("Search skills").fill("laser");
-    await page.getByText("No skill is called so.").waitFor();
+    await page.getByText("No skill has this name.").waitFor();
     await page.getByLabel("Search skills").fill("");
     expect(await titles(task("Pause a bit"))).toEqual(before);
   });
@@ -261,7 +269,7 @@ describe("the run of an application", () => {
     await panel().getByRole("radio", { name: "Try again" }).check();
     await panel().getByRole("textbox", { name: "Times" }).fill("1");
     await panel().getByRole("textbox", { name: "Times" }).press("Enter");
-    await panel().getByLabel("If it fails still").selectOption({ label: "ask a person" });
+    await panel().getByLabel("If it still fails").selectOption({ label: "ask a person" });
     await card("Move to").getByText("if it fails: again 1 ×, then ask").waitFor();
     await fixture.screenshot("one-failure");
     await saved();
@@ -288,6 +296,7 @@ describe("the run of an application", () => {
     await page.getByRole("heading", { name: "Go on?" }).waitFor();
     await page.getByRole("button", { name: "Pause", exact: true }).click();
     await expect.poll(() => status().innerText()).toBe("Paused");
+    await page.getByText("The arm finishes the motion it has begun; STOP stops it at once.").waitFor();
     await page.getByRole("button", { name: "Go on", exact: true }).click();
     await expect.poll(() => status().innerText()).toBe("Running");
     await page.getByRole("button", { name: "End", exact: true }).click();
@@ -305,10 +314,7 @@ describe("the run of an application", () => {
 describe("a taught pose", () => {
   it("is offered without the controls of the cell, and the arm is seen there", async () => {
     const joints = [0.4, -0.35, 0, 1.6, 0, -1.19, 0];
-    const pose = JSON.stringify({ pose: { position: [0.5, 0.2, 0.3], orientation: [1, 0, 0, 0] }, q: joints });
-    await fixture.send("PUT", "/documents/teach", { rcm: 1, services: { db: "database" }, root: { state: "Teach", entry: `svc.db.add('pose_left', ${pose})`, ports: [{ name: "success", when: "svc.db.add.result" }] } });
-    const { id } = (await fixture.send("POST", "/cores", { document: "teach" })) as { readonly id: string };
-    await fixture.send("POST", `/cores/${id}/start`);
+    await keep("pose_left", { pose: { position: [0.5, 0.2, 0.3], orientation: [1, 0, 0, 0] }, q: joints });
     await page.goto(`${fixture.url}/one/?edit=sort-parts`);
     await card("Move to").click();
     expect(await panel().getByRole("button", { name: "Show the arm there" }).isDisabled()).toBe(true);
@@ -440,6 +446,7 @@ describe("the demonstrator", () => {
   it("is two tasks to look at (thesis, Fig. A.3), and the menu of SearchObject changes its labels", async () => {
     await page.goto(`${fixture.url}/one/?edit=demonstrator`);
     await task("Calibrate the camera").waitFor();
+    expect(await page.getByRole("region", { name: /^Task / }).count()).toBe(2);
     expect(await titles(task("Clear the table").locator("> ol"))).toEqual(["Take out", "Aside", "Place area", "Say", "Search a part, with gestures", "Work"]);
     expect(await page.getByRole("button", { name: /Add a (task|skill)/ }).count()).toBe(0);
     await card("Search a part, with gestures").first().click();
@@ -454,6 +461,8 @@ describe("the demonstrator", () => {
   });
 
   it("uses them in its next run, which is seen in the same tasks", async () => {
+    const { camera } = JSON.parse(readFileSync(join(demo, "scene.json"), "utf8")) as { readonly camera: { readonly pose: unknown } };
+    await keep("o_t_c", camera.pose);
     const { id } = (await fixture.send("POST", "/cores", { document: "demonstrator", arguments: { begin: "Table" } })) as { readonly id: string };
     await page.getByRole("button", { name: "Run", exact: true }).click();
     await fixture.send("POST", `/cores/${id}/start`);
@@ -461,6 +470,12 @@ describe("the demonstrator", () => {
     await page.getByText("Clear the table", { exact: true }).waitFor();
     const state = (await fixture.send("GET", `/cores/${id}/state`)) as { readonly state: { readonly parameters: Readonly<Record<string, Readonly<Record<string, unknown>>>> } };
     expect(state.state.parameters["Demonstrator/Table"]?.["labels"]).toEqual(["Cube", "Block", "Tape"]);
+    const searched = async (): Promise<unknown> => {
+      const { step } = (await fixture.send("GET", `/cores/${id}`)) as { readonly step: number };
+      const { steps } = (await fixture.send("GET", `/cores/${id}/derivations?from=${Math.max(1, step - 99)}&to=${Math.max(1, step)}`)) as { readonly steps: readonly { readonly calls: readonly { readonly service: string; readonly operation: string; readonly args: readonly unknown[] }[] }[] };
+      return steps.flatMap(({ calls }) => calls).find(({ service, operation }) => service === "obj_rec" && operation === "start")?.args;
+    };
+    await expect.poll(searched, { timeout: 60_000 }).toEqual([["Cube", "Block", "Tape"]]);
     await fixture.send("POST", `/cores/${id}/stop`);
     await page.getByRole("heading", { name: "It was stopped" }).waitFor();
   });

@@ -15,8 +15,9 @@ export interface RealTab {
   readonly evaluate: (expression: string) => Promise<unknown>;
   /** Waits until an expression is true. */
   readonly until: (expression: string) => Promise<void>;
-  /** Presses, moves or releases the left button of the mouse at the middle of the first element whose name is this one. */
-  readonly mouse: (type: "mousePressed" | "mouseReleased", label: string) => Promise<void>;
+  /** Presses the middle of the first element whose name is this one, with the left button of the mouse, or a finger where the tab has touch. */
+  readonly press: (label: string) => Promise<void>;
+  readonly release: (label: string) => Promise<void>;
   /** Shows another tab of the window, which hides this one. */
   readonly showAnother: () => Promise<void>;
   readonly minimise: () => Promise<void>;
@@ -29,8 +30,8 @@ export interface RealTab {
 
 const named = (label: string): string => `document.querySelector('[aria-label=${JSON.stringify(label)}]')`;
 
-/** Requires Chromium. */
-export async function openRealTab(browser: Browser, url: string): Promise<RealTab> {
+/** Requires Chromium. `touch`: it is pressed by fingers, not by a mouse. */
+export async function openRealTab(browser: Browser, url: string, touch = false): Promise<RealTab> {
   const devtools = await browser.newBrowserCDPSession();
   const { targetId } = await devtools.send("Target.createTarget", { url, newWindow: true, width: 1366, height: 768 });
   const { sessionId } = await devtools.send("Target.attachToTarget", { targetId, flatten: false });
@@ -48,12 +49,20 @@ export async function openRealTab(browser: Browser, url: string): Promise<RealTa
     for (const end = Date.now() + kPatience; (await isTrue()) !== true; await new Promise((resolve) => setTimeout(resolve, 50)))
       if (Date.now() > end) throw new Error(`not true: ${expression}`);
   }
+  /** In view, as a finger reaches nothing else. */
+  const middleOf = (label: string) =>
+    evaluate(`(() => { const found = ${named(label)}; found.scrollIntoView({ block: "nearest" }); const { x, y, width, height } = found.getBoundingClientRect(); return { x: x + width / 2, y: y + height / 2 }; })()`) as Promise<Readonly<Record<"x" | "y", number>>>;
+  if (touch) await send("Emulation.setTouchEmulationEnabled", { enabled: true, maxTouchPoints: 5 });
   return {
     evaluate,
     until,
-    mouse: async (type, label) => {
-      const place = (await evaluate(`(() => { const { x, y, width, height } = ${named(label)}.getBoundingClientRect(); return { x: x + width / 2, y: y + height / 2 }; })()`)) as { readonly x: number; readonly y: number };
-      await send("Input.dispatchMouseEvent", { type, ...place, button: "left", buttons: 1, clickCount: 1 });
+    press: async (label) => {
+      const place = await middleOf(label);
+      await (touch ? send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [place] }) : send("Input.dispatchMouseEvent", { type: "mousePressed", ...place, button: "left", buttons: 1, clickCount: 1 }));
+    },
+    release: async (label) => {
+      const place = await middleOf(label);
+      await (touch ? send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] }) : send("Input.dispatchMouseEvent", { type: "mouseReleased", ...place, button: "left", buttons: 1, clickCount: 1 }));
     },
     showAnother: async () => void targets.push((await devtools.send("Target.createTarget", { url: "about:blank" })).targetId),
     minimise: async () => {

@@ -41,7 +41,8 @@ async function goTo(pose: string): Promise<void> {
 async function prepare(): Promise<void> {
   const before = page.getByRole("region", { name: "Before you move the robot" });
   if ((await before.count()) === 0) return;
-  await before.getByRole("button", { name: "Take the controls" }).click();
+  const take = before.getByRole("button", { name: "Take the controls" });
+  if ((await take.count()) > 0) await take.click();
   await page.getByText("You have the controls").waitFor();
   const programming = before.getByRole("button", { name: "Programming" });
   if ((await programming.count()) > 0) await programming.click();
@@ -86,6 +87,9 @@ describe("a place that is taught again", () => {
     await teaching("shelf").waitFor();
     expect(await status()).toBe("Paused");
     expect(await button("Try the step again").isDisabled(), "nothing is saved yet").toBe(true);
+    await prepare();
+    await button("Do not teach").click();
+    await button("Teach it again").click();
     const at = await teach("shelf");
     await fixture.screenshot("one-teach-again", page);
     await button("Try the step again").click();

@@ -1,6 +1,6 @@
 // Begins, holds and ends the run.
 import { isSamePress, makeOnce, useIsMaking } from "../../page/starting";
-import { allowed, kEffects, type Command } from "../../shared/run/controls";
+import { allowed, type Command } from "../../shared/run/controls";
 import { api, attempt, useCore, useRefusalOfCommand, useSession } from "../client";
 import { useEditing } from "../editing";
 import { useProblems, useUntaught } from "../model";
@@ -30,8 +30,8 @@ export function RunButtons({ name }: { readonly name: string }) {
       {isNew && <RunButton command="again" name={core === undefined ? t.start : t.startAgain} isMain disabled={lost || starting || notReady !== undefined} act={() => startOnce(() => attempt(() => begin(name)))} />}
       {commands.has("start") && <RunButton command="start" name={t.start} isMain disabled={lost || starting} act={() => startOnce(() => run("start"))} />}
       {commands.has("resume") && <RunButton command="resume" name={t.goOn} isMain disabled={lost || starting} act={() => startOnce(() => run("resume"))} />}
-      {commands.has("pause") && <RunButton command="pause" name={t.pause} hint={kEffects.pause} disabled={lost} act={() => isSamePress() || void run("pause")} />}
-      {commands.has("stop") && <RunButton command="stop" name={t.end} hint={kEffects.stop} disabled={lost} act={() => void run("stop")} />}
+      {commands.has("pause") && <RunButton command="pause" name={t.pause} hint={t.pauseHint} disabled={lost} act={() => isSamePress() || void run("pause")} />}
+      {commands.has("stop") && <RunButton command="stop" name={t.end} hint={t.endHint} disabled={lost} act={() => void run("stop")} />}
       {isNew && untaught !== undefined && <UntaughtPose untaught={untaught} />}
       {notReady !== undefined && (
         <p>

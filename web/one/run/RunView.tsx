@@ -1,7 +1,7 @@
 // The run of the application: what happens now, what is next, what went wrong, and the buttons to begin, hold and end it.
 import { useEffect, useMemo, useState } from "react";
 import { SpeedOverride } from "../../control/SpeedOverride";
-import { goesOnMeanwhile, isBadOutcome, isOver, statusLook } from "../../shared/run/controls";
+import { isBadOutcome, isHeld, isOver, statusLook } from "../../shared/run/controls";
 import { activeIds, kNoProgress, progressIn, type Progress } from "../../shared/timeline/progress";
 import { failureText } from "../line/StepCard";
 import { robotSpeed, useCore, useRefusal, useSession } from "../client";
@@ -12,6 +12,7 @@ import { becomeDisplay, useDisplay } from "./display";
 import { treeOfRun, useFailures } from "./failed";
 import { Finished } from "./Finished";
 import { Past } from "./Past";
+import { modeBefore, type ModeBefore } from "./hold";
 import { ModeHere } from "./ModeHere";
 import { Rounds } from "./Rounds";
 import { useRounds } from "./rounds";
@@ -35,6 +36,7 @@ export function RunView({ name }: { readonly name: string }) {
   const { now: failure, past } = useFailures(application, progress);
   const tryAgain = useRetry(core, core === undefined || isOver(core) ? undefined : failure?.step.title);
   const [taught, setTaught] = useState<string>();
+  const [before, setBefore] = useState<ModeBefore>();
   const asksHere = useDisplay((page) => page.content?.question !== undefined);
   const rounds = useRounds(application, progress);
   const isGoing = core !== undefined && !isOver(core) && core.status !== "ready";
@@ -45,7 +47,7 @@ export function RunView({ name }: { readonly name: string }) {
   // While a step is tried again by itself, nothing is to be done.
   const isAsked = !isGoing || asksHere || core.paused;
   const pose = failure?.poses.find((each) => each === taught);
-  const teach = core !== undefined && failure !== undefined && failure.poses.length > 0 && isAsked ? <TeachButtons core={core} poses={failure.poses} onOpen={setTaught} /> : undefined;
+  const teach = core !== undefined && failure !== undefined && failure.poses.length > 0 && isAsked ? <TeachButtons core={core} poses={failure.poses} onOpen={setTaught} onBegin={() => setBefore(modeBefore(core, before))} /> : undefined;
   return (
     <main className={`run is-${look}`} aria-label={t.name}>
       <section className="now" aria-label={t.now}>
@@ -60,7 +62,7 @@ export function RunView({ name }: { readonly name: string }) {
             {t.next} <b>{progress.next.title}</b>
           </p>
         )}
-        {core !== undefined && <p className="quiet">{goesOnMeanwhile(core)}</p>}
+        {core !== undefined && isHeld(core) && <p className="quiet">{t.whilePaused}</p>}
         {isGoing && progress.line !== undefined && <Steps progress={progress} />}
       </section>
       {failure !== undefined && (
@@ -80,7 +82,7 @@ export function RunView({ name }: { readonly name: string }) {
         </section>
       )}
       {look === "failed" && failure === undefined && <p className="wrong is-short">{isBadOutcome(core?.outcome) ? t.outcome(core?.outcome ?? "") : ""}</p>}
-      {pose !== undefined && core !== undefined ? <TeachAgain key={pose} name={name} core={core} pose={pose} onGoOn={tryAgain} onClose={() => setTaught(undefined)} /> : <Asked>{teach}</Asked>}
+      {pose !== undefined && core !== undefined ? <TeachAgain key={pose} name={name} core={core} pose={pose} mode={before?.mode} onGoOn={tryAgain} onClose={() => setTaught(undefined)} /> : <Asked>{teach}</Asked>}
       <RunButtons name={name} />
       <SpeedOverride speed={robotSpeed} refusal={lost ?? speed} />
       <ModeHere />

@@ -1,8 +1,7 @@
 // The pose at which a step has failed is taught again while the run waits, or after its end; then the step is tried again, or the run begins anew.
 import { useEffect, useRef, useState } from "react";
-import type { Core } from "../../generated/messages";
+import type { CellMode, Core } from "../../generated/messages";
 import { isOver } from "../../shared/run/controls";
-import { stop } from "../../stop/page";
 import { useStop } from "../../stop/useStop";
 import { api, attempt, useRefusal, useRefusalOfCommand } from "../client";
 import { Teach } from "../teach/Teach";
@@ -15,15 +14,18 @@ const t = texts.teachAgain;
 interface ButtonsProps {
   readonly core: Core;
   readonly poses: readonly string[];
+  /** Before anything is changed for it. */
+  readonly onBegin: () => void;
   readonly onOpen: (pose: string) => void;
 }
 
 /** One for each pose of the step. */
-export function TeachButtons({ core, poses, onOpen }: ButtonsProps) {
+export function TeachButtons({ core, poses, onBegin, onOpen }: ButtonsProps) {
   const refusal = useRefusal("take_controls");
   if (refusal !== undefined) return null;
   const open = (pose: string) =>
     attempt(async () => {
+      onBegin();
       await holdForHand(core);
       onOpen(pose);
     });
@@ -42,13 +44,14 @@ interface Props {
   readonly name: string;
   readonly core: Core;
   readonly pose: string;
+  /** The run goes on in this mode, or begins anew. */
+  readonly mode: CellMode | undefined;
   /** The run goes on: what asks is to be answered that the step is tried again. */
   readonly onGoOn: () => void;
   readonly onClose: () => void;
 }
 
-export function TeachAgain({ name, core, pose, onGoOn, onClose }: Props) {
-  const [mode] = useState(() => stop.get().mode);
+export function TeachAgain({ name, core, pose, mode, onGoOn, onClose }: Props) {
   const [isSaved, setSaved] = useState(false);
   const [busy, setBusy] = useState(false);
   const title = useRef<HTMLHeadingElement>(null);

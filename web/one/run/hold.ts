@@ -2,7 +2,7 @@
 import type { CellMode, Core } from "../../generated/messages";
 import { setMode } from "../../shared/control/requests";
 import { isOwn } from "../../shared/control/texts";
-import { allowed } from "../../shared/run/controls";
+import { allowed, isOver } from "../../shared/run/controls";
 import { stop } from "../../stop/page";
 import { api, fetcher } from "../client";
 
@@ -21,6 +21,16 @@ export async function holdForHand(core: Core): Promise<void> {
   await turnTo("execution");
   await turnTo("programming");
 }
+
+/** The mode of the cell before a pose was taught, and the run for which that was. */
+export interface ModeBefore {
+  readonly run: string;
+  readonly mode: CellMode | undefined;
+}
+
+/** While the run waits, or after its end, teaching may begin more than once. */
+export const modeBefore = (core: Core, before: ModeBefore | undefined): ModeBefore =>
+  before?.run === core.id && (core.paused || isOver(core)) ? before : { run: core.id, mode: stop.get().mode };
 
 /** In the mode of before. */
 export async function goOnIn(mode: CellMode | undefined, goOn: () => Promise<unknown>): Promise<void> {

@@ -54,7 +54,10 @@ export function statusLook({ status, paused, outcome }: Pick<Core, "status" | "p
 }
 
 /** What goes on while the task of a core is paused; nothing if it is not, or has not begun. */
-export const goesOnMeanwhile = ({ status, paused }: Pick<Core, "status" | "paused">): string | undefined => (status === "running" && paused ? `Paused: ${kEffects.pause}` : undefined);
+export const goesOnMeanwhile = (core: Pick<Core, "status" | "paused">): string | undefined => (isHeld(core) ? `Paused: ${kEffects.pause}` : undefined);
+
+/** Whether a run that has begun is paused. */
+export const isHeld = ({ status, paused }: Pick<Core, "status" | "paused">): boolean => status === "running" && paused;
 
 /** Whether a run is held while something has come for it. */
 export const holdsInputs = ({ status, paused, waiting, step }: Pick<Core, "status" | "paused" | "waiting" | "step">): boolean => status === "running" && paused && waiting > 0 && step > 0;

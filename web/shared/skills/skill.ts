@@ -25,6 +25,8 @@ export interface SkillParameter {
   readonly choices: readonly SkillChoice[];
   readonly advanced: boolean;
   readonly internal: boolean;
+  /** The skill teaches the pose of this name. */
+  readonly teaches: boolean;
 }
 
 export interface SkillResult {
@@ -83,7 +85,7 @@ export function parameterOf({ name, fields, meta }: Declared): SkillParameter {
   return {
     name, title: titleOf(meta, name), doc: plainText(textOf(entryOf(fields, "doc"))), type: entryOf(fields, "type"), unit: textOf(entryOf(fields, "unit")), domain: textOf(entryOf(meta, "domain")),
     min: numberOf(entryOf(meta, "min")), max: numberOf(entryOf(meta, "max")), step: numberOf(entryOf(meta, "step")), choices: choicesOf(entryOf(meta, "choices")),
-    advanced: isMarked(meta, "advanced"), internal: isMarked(meta, "internal"),
+    advanced: isMarked(meta, "advanced"), internal: isMarked(meta, "internal"), teaches: isMarked(meta, "teaches"),
   };
 }
 

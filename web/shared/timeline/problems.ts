@@ -31,7 +31,7 @@ const on = (line: TimeLine): readonly Step[] => [...line.steps, ...line.others].
 /** Of steps that are on. */
 export const problemsOf = (tree: Tree, root: TimeLine, here: readonly ServiceHere[]): readonly StepProblem[] => on(root).flatMap((step) => problemsOfStep(tree, step, here));
 
-/** A step is to move to a pose that nobody has taught. It can be started all the same: a step before may teach it. */
+/** A step needs a pose that nobody has taught, and no step before it teaches. It can be started all the same. */
 export interface Untaught {
   readonly step: string;
   readonly parameter: string;
@@ -39,12 +39,17 @@ export interface Untaught {
   readonly pose: string;
 }
 
-/** Of steps that are on. `taught`: the names of all poses. */
+/** Of steps that are on, in their order. `taught`: the names of all poses. */
 export function untaughtPoses(root: TimeLine, taught: readonly string[]): readonly Untaught[] {
   const known = new Set(taught);
-  return on(root).flatMap(({ id, parameters }) =>
-    parameters.flatMap(({ about: { name, domain }, value }) => (domain === "pose" && value.kind === "constant" && typeof value.value === "string" && !known.has(value.value) ? [{ step: id, parameter: name, pose: value.value }] : [])),
-  );
+  const found: Untaught[] = [];
+  for (const { id, parameters } of on(root))
+    for (const { about, value } of parameters) {
+      if (about.domain !== "pose" || value.kind !== "constant" || typeof value.value !== "string" || known.has(value.value)) continue;
+      if (about.teaches) known.add(value.value);
+      else found.push({ step: id, parameter: about.name, pose: value.value });
+    }
+  return found;
 }
 
 export const stepById = (root: TimeLine, id: string): Step | undefined => allSteps(root).find((step) => step.id === id);

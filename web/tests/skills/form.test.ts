@@ -7,7 +7,7 @@ import { iconPath, kIconNames } from "../../shared/skills/icons";
 import { kCategories, type SkillParameter } from "../../shared/skills/skill";
 
 const parameter = (about: Partial<SkillParameter>): SkillParameter => ({
-  name: "p", title: "P", doc: undefined, type: undefined, unit: undefined, domain: undefined, min: undefined, max: undefined, step: undefined, choices: [], advanced: false, internal: false, ...about,
+  name: "p", title: "P", doc: undefined, type: undefined, unit: undefined, domain: undefined, min: undefined, max: undefined, step: undefined, choices: [], advanced: false, internal: false, teaches: false, ...about,
 });
 function numberOf(about: Partial<SkillParameter>): NumberField {
   const field = fieldOf(parameter(about));

@@ -7,7 +7,7 @@ import { setValue } from "../../shared/timeline/changes/values";
 import { untaughtPoses } from "../../shared/timeline/problems";
 import { readApplication } from "../../shared/timeline/read";
 import type { Tree } from "../../shared/edit/tree";
-import { emptyApp, skills, stateNamed } from "../skills/fixture";
+import { emptyApp, skillDocument, skills, stateNamed } from "../skills/fixture";
 import { after, supplies } from "./after";
 
 /** A task of two steps that move, one of them to a pose. */
@@ -32,4 +32,18 @@ test("within a loop it is named, too, and not of a step that is off", () => {
   const looped = after(tree, loopSteps(tree, [to], 3, supplies)).tree;
   expect(untaught(looped, []).map(({ step }) => step)).toEqual([to]);
   expect(untaught(after(looped, setDisabled(looped, to, true, supplies)).tree, [])).toEqual([]);
+});
+
+test("what a step before teaches is not named, nor is the step that teaches it", () => {
+  const teaching = skillDocument("teaching", { rcm: 1, name: "teaching", root: { state: "None", meta: { id: "none" } }, library: [
+    { state: "Teach", parameters: [{ name: "pose", type: "string", meta: { id: "teach_pose", domain: "pose", teaches: true } }], ports: [{ name: "success", when: "True", meta: { id: "teach_success" } }], meta: { id: "teach", skill: true } },
+  ] });
+  const { tree, to } = moving("above");
+  const [task = ""] = readApplication(tree).root.steps.map(({ id }) => id);
+  const teachAt = (index: number) => {
+    const added = after(tree, addSkill(tree, task, index, { document: "teaching", id: "teach" }, { ...supplies, documents: [...supplies.documents, teaching] }));
+    return after(added.tree, setValue(added.tree, added.id, "pose", "above", supplies)).tree;
+  };
+  expect(untaught(teachAt(0), [])).toEqual([]);
+  expect(untaught(teachAt(2), []).map(({ step }) => step), "it comes too late").toEqual([to]);
 });
