@@ -1,12 +1,15 @@
 #include "services/recognition/object_recognition.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace race::recognition {
 namespace {
 
 // From a picture to its event, in world time: what a picture takes here, with some to spare.
 constexpr services::Time kLatency = 0.15;
+// For a picture to come: cameras give several a second, and a request waits 5 s for its response.
+constexpr services::Time kPictureTime = 2;
 
 template <std::size_t N>
 Value numbers(const std::array<double, N>& values) {
@@ -65,19 +68,66 @@ void ObjectRecognition::stop_looking(const services::Call& call) {
   host().result(call.id, nullptr);
 }
 
+void ObjectRecognition::look(const services::Call& call) {
+  looks_.push_back({call.id, host().now() + kPictureTime});
+  subscribe();
+}
+
+void ObjectRecognition::list_labels(const services::Call& call) {
+  const std::vector<std::string>& known = recognizer_.labels();
+  host().result(call.id, List(known.begin(), known.end()));
+}
+
+// What is looked for is something else from now on. By the RSM, the transition that was taken has answered the looks.
 void ObjectRecognition::listen(bool on) {
   ++session_;
-  if (!on) labels_.clear();
-  if (on && !worker_) worker_ = std::make_unique<services::Worker>(host());
-  host().subscribe("camera", "frame", on);
+  started_ = on;
+  const Value interrupted =
+      services::error_value("interrupted", "recognition was started or stopped before it had seen a picture");
+  for (const Look& each : std::exchange(looks_, {})) host().error(each.call, interrupted);
+  subscribe();
+}
+
+void ObjectRecognition::subscribe() {
+  if (is_wanted() && !worker_) worker_ = std::make_unique<services::Worker>(host());
+  host().subscribe("camera", "frame", is_wanted());
+}
+
+void ObjectRecognition::unsubscribe_if_unwanted() {
+  if (!is_wanted()) subscribe();
+}
+
+void ObjectRecognition::end_look(services::CallId call) { take(started_ ? "seen_recognizing" : "seen_idle", call); }
+
+void ObjectRecognition::abandoned(services::CallId call) {
+  const auto found = std::ranges::find(looks_, call, &Look::call);
+  if (found == looks_.end()) return;
+  looks_.erase(found);
+  end_look(call);
+  host().error(call, services::error_value("abandoned", "nobody waits for the response"));
+  unsubscribe_if_unwanted();
+}
+
+// A picture that is being processed has come in time.
+void ObjectRecognition::step() {
+  if (busy_ || looks_.empty()) return;
+  const services::Time now = host().now();
+  while (!looks_.empty() && looks_.front().deadline <= now) {
+    const services::CallId late = looks_.front().call;
+    looks_.pop_front();
+    end_look(late);
+    host().error(late, services::error_value("no_picture", "no picture has come from the camera"));
+  }
+  unsubscribe_if_unwanted();
 }
 
 void ObjectRecognition::packet(std::string_view, std::string_view, const services::PacketPtr& packet) {
-  if (busy_ || labels_.empty()) return;
+  if (busy_ || !is_wanted()) return;
   auto image = read_rgbd_image(*packet);
   if (!image) return host().log("a frame that cannot be read: " + to_string(image.error()));
   busy_ = true;
-  worker_->submit(host().now() + kLatency, [this, session = session_, labels = labels_, image = std::move(*image)] {
+  const std::vector<std::string>& wanted = started_ ? labels_ : recognizer_.labels();
+  worker_->submit(host().now() + kLatency, [this, session = session_, labels = wanted, image = std::move(*image)] {
     auto detections = recognizer_.recognize(image, labels);
     return [this, session, time = image.time, detections = std::move(detections)] {
       busy_ = false;
@@ -89,7 +139,13 @@ void ObjectRecognition::packet(std::string_view, std::string_view, const service
 void ObjectRecognition::report(services::Time time, const std::vector<Detection>& detections) {
   List objects;
   for (const Detection& detection : detections) objects.push_back(to_value(detection));
-  host().event("recognized_objects", Dict{{"time", time}, {"objects", std::move(objects)}});
+  const Value seen = Dict{{"time", time}, {"objects", std::move(objects)}};
+  if (started_) host().event("recognized_objects", seen);
+  for (const Look& each : std::exchange(looks_, {})) {
+    end_look(each.call);
+    host().result(each.call, seen);
+  }
+  unsubscribe_if_unwanted();
 }
 
 }  // namespace race::recognition

@@ -14,12 +14,13 @@ namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
+using testing::UnorderedElementsAre;
 
 /// Camera and recognition of the demonstrator, with time that passes and a world that stands still.
 struct Fixture {
-  explicit Fixture(std::uint64_t seed = 1) : world(build(demo_scene())) {
+  explicit Fixture(std::uint64_t seed = 1, bool has_camera = true) : world(build(demo_scene())) {
     auto& eye = bench.host.declare("camera", "KinectDriver", bench.queue);
-    bench.host.attach("camera", std::make_unique<camera::Camera>(eye, *world, seed));
+    if (has_camera) bench.host.attach("camera", std::make_unique<camera::Camera>(eye, *world, seed));
     auto& mind = bench.host.declare("obj_rec", "ObjectRecognition", bench.queue);
     bench.host.attach("obj_rec", std::make_unique<ObjectRecognition>(mind, demo_parts()));
   }
@@ -28,12 +29,25 @@ struct Fixture {
   std::vector<std::vector<std::string>> labels() const {
     std::vector<std::vector<std::string>> all;
     for (const auto& delivery : bench.deliveries) {
-      if (delivery.kind != services::Delivery::Kind::event) continue;
-      auto& one = all.emplace_back();
-      for (const Value& object : delivery.data.find("objects")->as_list())
-        one.push_back(object.find("label")->as_string());
+      if (delivery.kind == services::Delivery::Kind::event) all.push_back(labels_of(delivery.data));
     }
     return all;
+  }
+  /// The same of each result of `look`.
+  std::vector<std::vector<std::string>> looks() const {
+    std::vector<std::vector<std::string>> all;
+    for (const auto& delivery : bench.deliveries) {
+      if (delivery.kind == services::Delivery::Kind::response && delivery.name == "look" && !delivery.is_error)
+        all.push_back(labels_of(delivery.data));
+    }
+    return all;
+  }
+  /// Whether the camera makes pictures for somebody.
+  bool has_demand() const { return bench.host.service("obj_rec")->subscribes.front().listening; }
+  static std::vector<std::string> labels_of(const Value& picture) {
+    std::vector<std::string> labels;
+    for (const Value& object : picture.find("objects")->as_list()) labels.push_back(object.find("label")->as_string());
+    return labels;
   }
   services::Bench bench;
   std::unique_ptr<world::World> world;
@@ -105,6 +119,103 @@ TEST(ObjectRecognition, GivesTheSameEventsForTheSameSeedOnly) {
   EXPECT_NE(first.find("Cube"), std::string::npos);
   EXPECT_EQ(first, events(7));
   EXPECT_NE(first, events(8));
+}
+
+TEST(ObjectRecognition, LooksOnceForAllPartsWhileItIsIdle) {
+  Fixture fixture;
+  fixture.bench.call("obj_rec", "look");
+  EXPECT_TRUE(fixture.has_demand());
+  fixture.bench.pass(0.5);
+  EXPECT_THAT(fixture.looks(), ElementsAre(UnorderedElementsAre("Cube", "Box", "Block", "Tape", "Bar", "Tool")));
+  EXPECT_THAT(fixture.labels(), IsEmpty()) << "it was not started";
+  EXPECT_FALSE(fixture.has_demand());
+  EXPECT_EQ(fixture.bench.host.service("obj_rec")->state, "Idle");
+  EXPECT_THAT(fixture.bench.violations("obj_rec"), IsEmpty());
+}
+
+TEST(ObjectRecognition, AnswersALookWithWhatAStartLooksForAndGoesOn) {
+  Fixture fixture;
+  fixture.bench.call("obj_rec", "start", {List{Value("Tape")}});
+  fixture.bench.call("obj_rec", "look");
+  fixture.bench.pass(0.45);
+  EXPECT_THAT(fixture.looks(), ElementsAre(ElementsAre("Tape")));
+  EXPECT_THAT(fixture.labels(), ElementsAre(ElementsAre("Tape"), ElementsAre("Tape"))) << "as without a look";
+  EXPECT_EQ(fixture.bench.host.service("obj_rec")->state, "Recognizing");
+  EXPECT_TRUE(fixture.has_demand());
+  EXPECT_THAT(fixture.bench.violations("obj_rec"), IsEmpty());
+}
+
+TEST(ObjectRecognition, AnswersEachOfSeveralLooksByItself) {
+  Fixture fixture;
+  for (int i = 0; i < 3; ++i) fixture.bench.call("obj_rec", "look");
+  fixture.bench.pass(0.5);
+  EXPECT_EQ(fixture.looks().size(), 3U);
+  EXPECT_THAT(fixture.bench.violations("obj_rec"), IsEmpty());
+}
+
+TEST(ObjectRecognition, EndsALookWhenItIsStartedOrStopped) {
+  for (const char* operation : {"start", "stop"}) {
+    Fixture fixture;
+    fixture.bench.call("obj_rec", "look");
+    fixture.bench.call("obj_rec", operation);
+    EXPECT_THAT(fixture.bench.responses(),
+                ElementsAre("obj_rec.look !> interrupted", std::string("obj_rec.") + operation + " -> null"));
+    fixture.bench.pass(0.5);
+    EXPECT_THAT(fixture.looks(), IsEmpty());
+    EXPECT_EQ(fixture.labels().empty(), operation == std::string("stop"));
+    EXPECT_THAT(fixture.bench.violations("obj_rec"), IsEmpty());
+  }
+}
+
+TEST(ObjectRecognition, EndsALookAlsoByAStartThatIsRefused) {
+  Fixture fixture;
+  fixture.bench.call("obj_rec", "look");
+  fixture.bench.call("obj_rec", "start", {List{}});
+  EXPECT_THAT(fixture.bench.responses(), ElementsAre("obj_rec.look !> interrupted", "obj_rec.start !> out_of_range"));
+  EXPECT_FALSE(fixture.has_demand());
+  EXPECT_THAT(fixture.bench.violations("obj_rec"), IsEmpty());
+}
+
+TEST(ObjectRecognition, SaysOfALookThatNoPictureHasCome) {
+  for (const bool is_started : {false, true}) {
+    Fixture fixture(1, false);
+    if (is_started) fixture.bench.call("obj_rec", "start");
+    fixture.bench.deliveries.clear();
+    fixture.bench.call("obj_rec", "look");
+    fixture.bench.pass(1.9);
+    EXPECT_THAT(fixture.bench.responses(), IsEmpty());
+    fixture.bench.pass(0.2);
+    EXPECT_THAT(fixture.bench.responses(), ElementsAre("obj_rec.look !> no_picture"));
+    EXPECT_EQ(fixture.has_demand(), is_started);
+    EXPECT_EQ(fixture.bench.host.service("obj_rec")->state, is_started ? "Recognizing" : "Idle");
+    EXPECT_THAT(fixture.bench.violations("obj_rec"), IsEmpty());
+  }
+}
+
+TEST(ObjectRecognition, NeedsNoPictureForALookThatNobodyWaitsFor) {
+  Fixture fixture;
+  fixture.bench.call("obj_rec", "look");
+  fixture.bench.host.abandon({"1", fixture.bench.calls});
+  fixture.bench.queue.run();
+  EXPECT_FALSE(fixture.has_demand());
+  EXPECT_THAT(fixture.bench.responses(), ElementsAre("obj_rec.look !> abandoned"));
+  EXPECT_THAT(fixture.bench.violations("obj_rec"), IsEmpty());
+}
+
+TEST(ObjectRecognition, KnowsTheLabelsOfAllPartsInEveryState) {
+  Fixture fixture;
+  fixture.bench.call("obj_rec", "labels");
+  fixture.bench.call("obj_rec", "start", {List{Value("Tape")}});
+  fixture.bench.call("obj_rec", "labels");
+  const std::string all = R"(obj_rec.labels -> ["Cube","Box","Block","Tape","Bar","Tool"])";
+  EXPECT_THAT(fixture.bench.responses(), ElementsAre(all, "obj_rec.start -> null", all));
+  EXPECT_THAT(fixture.bench.violations("obj_rec"), IsEmpty());
+}
+
+// So they need no controls, and are no matter of who has them.
+TEST(ObjectRecognition, SaysThatLooksAndLabelsChangeNothing) {
+  for (const rsm::Operation& operation : model().operations)
+    EXPECT_EQ(operation.reads, operation.name == "look" || operation.name == "labels") << operation.name;
 }
 
 TEST(ObjectRecognition, SurvivesFramesThatCannotBeRead) {
