@@ -1,6 +1,7 @@
 // What the task shows to people, and the question that it asks: both are answered here.
 import { useId, useMemo, useState, type ReactNode } from "react";
 import type { Question } from "../../generated/messages";
+import { ProgressView } from "../../display/show/ProgressView";
 import { isWayOut } from "../../shared/display/answers";
 import { limits, read } from "../../shared/display/numberText";
 import { canAnswer } from "../../shared/display/page";
@@ -23,6 +24,7 @@ export function Asked({ children }: { readonly children?: ReactNode }) {
     <section className="asked" aria-label={texts.runView.says}>
       {message?.image !== undefined && <img src={message.image} alt="" />}
       {message !== undefined && message.text !== "" && <p className="said">{message.text}</p>}
+      {message?.progress !== undefined && <ProgressView text={message.text} progress={message.progress} />}
       {message !== undefined && message.buttons.length > 0 && (
         <div className="buttons">
           {message.buttons.map((button) => (
@@ -77,7 +79,9 @@ function QuestionHere({ question }: { readonly question: Question }) {
 function NumberHere({ id, entry, may }: { readonly id: number; readonly entry: Extract<Question, { readonly number: unknown }>["number"]; readonly may: boolean }) {
   const label = useId();
   const [text, setText] = useState(entry.value === undefined ? "" : String(entry.value));
+  const why = useId();
   const outcome = read(text, entry);
+  const problem = text !== "" && "problem" in outcome ? outcome.problem : undefined;
   return (
     <form
       className="answers"
@@ -89,10 +93,13 @@ function NumberHere({ id, entry, may }: { readonly id: number; readonly entry: E
       <label htmlFor={label}>
         {limits(entry)} {entry.unit}
       </label>
-      <input id={label} inputMode="decimal" value={text} onChange={(event) => setText(event.target.value)} />
+      <input id={label} inputMode="decimal" aria-invalid={problem !== undefined} aria-describedby={why} value={text} onChange={(event) => setText(event.target.value)} />
       <button type="submit" className="main" disabled={!may || "problem" in outcome}>
         {texts.runView.answer}
       </button>
+      <p id={why} className="problem" aria-live="polite">
+        {problem}
+      </p>
     </form>
   );
 }
