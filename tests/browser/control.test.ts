@@ -2,6 +2,7 @@
 import { devices, type Page } from "playwright-core";
 import { watchArm, type Arm } from "./arm";
 import { findings } from "./axe";
+import { expectStill, otherPerson, secondFinger, slowRobot } from "./comes";
 import { openFixture, settled, type Fixture } from "./fixture";
 
 const kSoon = { timeout: 20_000 };
@@ -406,6 +407,17 @@ describe("the controls of the cell", () => {
     await page.evaluate(() => window.dispatchEvent(new Event("blur")));
     await expect.poll(arm.moves, { timeout: 2000 }).toBe(false);
     await page.keyboard.up("Enter");
+  });
+
+  it("leave the buttons that move the arm where they are, whatever comes by itself", async () => {
+    await open(page);
+    await hold(page);
+    await setMode(page, "Programming");
+    const name = "Joint 1 plus, while held";
+    const held = panel(page).getByRole("button", { name, exact: true });
+    await held.scrollIntoViewIfNeeded();
+    await expectStill(page, [name, "Tool along Z minus, while held"], secondFinger(page, held), await slowRobot(fixture, page, "toAndFro"), await otherPerson(fixture, page));
+    await page.unrouteAll({ behavior: "ignoreErrors" });
   });
 
   it("open and close the gripper by hand", async () => {

@@ -4,6 +4,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { devices, type Locator, type Page } from "playwright-core";
 import { findings } from "./axe";
+import { expectStill, otherPerson, secondFinger, slowRobot } from "./comes";
 import { dragTo } from "./hands";
 import { binary, demo, openFixture, openPrepared, project, settled, type Fixture } from "./fixture";
 
@@ -427,6 +428,63 @@ describe("a pose that is taught in place", () => {
     await page.getByRole("button", { name: "Give back" }).click();
     await page.goto(`${fixture.url}/one/?edit=sort-parts`);
     await card("Move to").waitFor();
+  });
+});
+
+describe("the buttons that move the arm", () => {
+  it.each([[1366, 768], [2560, 1440]])("stay where they are, whatever comes by itself: %i x %i", async (width, height) => {
+    const person = await (await fixture.openContext({ viewport: { width, height }, reducedMotion: "reduce" })).newPage();
+    person.setDefaultTimeout(20_000);
+    await person.goto(`${fixture.url}/one/?edit=sort-parts`);
+    await card("Move to", person).click();
+    await panel(person).getByRole("button", { name: "Teach here" }).click();
+    const before = panel(person).getByRole("region", { name: "Before you move the robot" });
+    await before.getByRole("button", { name: "Take the controls" }).click();
+    await person.getByText("You have the controls").waitFor();
+    const programming = before.getByRole("button", { name: "Programming" });
+    if ((await programming.count()) > 0) await programming.click();
+    await before.waitFor({ state: "detached" });
+    const name = "Up, tool along Z plus, while held";
+    const held = panel(person).getByRole("button", { name, exact: true });
+    await held.scrollIntoViewIfNeeded();
+    await expectStill(person, [name, "Down, tool along Z minus, while held"], secondFinger(person, held), await slowRobot(fixture, person, "sort-parts"), await otherPerson(fixture, person));
+    await fixture.screenshot(`one-still-${width}`, person);
+    await panel(person).getByRole("button", { name: "Do not teach" }).click();
+    await person.getByRole("button", { name: "Run", exact: true }).click();
+    await person.getByRole("region", { name: "Mode", exact: true }).getByRole("button", { name: "Execution" }).click();
+    await person.getByText("Execution mode").waitFor();
+    await person.context().close();
+  });
+});
+
+describe("what a task shows and asks", () => {
+  it("is its progress, too, and why a number cannot be the answer", async () => {
+    const root = {
+      state: "Root",
+      first: "Show",
+      children: [
+        { state: "Show", entry: "svc.display.show_progress('Half of it', 0.5)", ports: [{ name: "next", when: "svc.display.show_progress.result", to: "Ask" }] },
+        { state: "Ask", entry: "svc.display.ask_number('How many parts?', 1, 8)", ports: [{ name: "done", when: "svc.display.ask_number.result" }] },
+      ],
+      ports: [{ name: "done", when: "chi.Ask.port.done" }],
+    };
+    await fixture.send("PUT", "/documents/count-parts", { rcm: 1, name: "count-parts", root });
+    await page.goto(`${fixture.url}/one/?edit=count-parts#run`);
+    await page.getByRole("button", { name: "Start", exact: true }).click();
+    expect(await page.getByRole("progressbar", { name: "Half of it" }).getAttribute("value")).toBe("0.5");
+    await page.getByText("50 %", { exact: true }).waitFor();
+    const question = page.getByRole("group", { name: "Question" });
+    const entry = question.getByRole("textbox");
+    await entry.fill("9");
+    await question.getByText("At most 8").waitFor();
+    const give = question.getByRole("button", { name: "Answer" });
+    expect([await give.isDisabled(), await entry.getAttribute("aria-invalid")]).toEqual([true, "true"]);
+    expect(await faults(page)).toEqual([]);
+    await fixture.screenshot("one-progress");
+    await entry.fill("3");
+    expect(await question.getByText("At most 8").count()).toBe(0);
+    await give.click();
+    await question.waitFor({ state: "detached" });
   });
 });
 

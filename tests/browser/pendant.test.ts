@@ -2,6 +2,7 @@
 import { devices, type Locator, type Page } from "playwright-core";
 import { watchArm, type Arm } from "./arm";
 import { findings } from "./axe";
+import { expectStill, otherPerson, slowRobot, type Coming } from "./comes";
 import { openFixture, type Fixture } from "./fixture";
 
 const kSoon = { timeout: 20_000 };
@@ -16,6 +17,21 @@ const turn = (state: string, other: string, base: number) => ({ state, entry: mo
 /** Moves to and fro. */
 const toAndFro = { rcm: 1, name: "toAndFro", root: { state: "Root", doc: "Turns the arm to and fro.", first: "TurnLeft", children: [turn("TurnLeft", "TurnRight", 0.6), turn("TurnRight", "TurnLeft", -0.6)] } };
 
+/** Asks after a while, so that a person can go to another view before. */
+const asksLater = {
+  rcm: 1,
+  name: "asksLater",
+  root: {
+    state: "Root",
+    first: "Wait",
+    children: [
+      { state: "Wait", ports: [{ name: "next", after: "8.0", to: "Ask" }] },
+      { state: "Ask", entry: "svc.display.ask('Is there a part in the gripper, and is the cell clear of people?', ['Yes'], display='phone1')", ports: [{ name: "done", when: "svc.display.ask.result" }] },
+    ],
+    ports: [{ name: "done", when: "chi.Ask.port.done" }],
+  },
+};
+
 interface Answer {
   readonly result: { readonly pose: { readonly position: readonly number[] } };
 }
@@ -28,6 +44,7 @@ describe("a phone as teach pendant", () => {
     fixture = await openFixture();
     arm = watchArm(fixture.url, kSlow);
     await fixture.send("PUT", "/documents/toAndFro", toAndFro);
+    await fixture.send("PUT", "/documents/asksLater", asksLater);
   });
   afterAll(async () => {
     arm.close();
@@ -167,6 +184,65 @@ describe("a phone as teach pendant", () => {
     await said.waitFor();
     await moves(false);
     await touch("touchEnd");
+  });
+
+  it.each([
+    ["upright", devices["Pixel 7"]],
+    ["small", { ...devices["Pixel 7"], viewport: { width: 360, height: 640 } }],
+    ["on its side", devices["Pixel 7 landscape"]],
+  ])("leaves the buttons that move the arm where they are, whatever comes by itself: %s", async (name, device) => {
+    await page.context().close();
+    page = await (await fixture.openContext({ ...device })).newPage();
+    page.setDefaultTimeout(20_000);
+    await prepare("joints");
+    const views = page.getByRole("navigation", { name: "Views of phone1" });
+    await views.getByRole("link", { name: "Run" }).tap();
+    await button("Start asksLater").tap();
+    await page.getByRole("region", { name: "Run of asksLater" }).first().waitFor();
+    await views.getByRole("link", { name: "Move" }).tap();
+    const first = button("Joint 1 plus, while held");
+    await first.scrollIntoViewIfNeeded();
+    const asks = page.getByRole("region", { name: "A task asks" });
+    expect(await asks.count(), "it has not asked yet").toBe(0);
+    const question: Coming = {
+      what: "a question",
+      comes: () => asks.waitFor(),
+      goes: async () => {
+        await fixture.screenshot(`pendant-still-${name.replaceAll(" ", "-")}`, page);
+        const other = await (await fixture.openContext({ ...devices["Pixel 7"] })).newPage();
+        await other.goto(`${fixture.url}/display/?name=phone1#show`);
+        await other.getByRole("button", { name: "Yes", exact: true }).tap();
+        await asks.waitFor({ state: "detached" });
+        await other.context().close();
+      },
+    };
+    const session = await page.context().newCDPSession(page);
+    const touch = (type: "touchStart" | "touchEnd", ...points: readonly { readonly x: number; readonly y: number }[]) => session.send("Input.dispatchTouchEvent", { type, touchPoints: points.map((point, id) => ({ ...point, id })) });
+    const middle = async (on: Locator) => {
+      const box = await on.boundingBox();
+      if (box === null) throw new Error(`${String(on)} is not on the screen`);
+      return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+    };
+    const [thumb, pressed] = [await middle(page.getByText("Joint 1", { exact: true })), await middle(first)];
+    const said = page.getByText(/^Not moved: more than one finger/);
+    const twoFingers: Coming = {
+      what: "the message about two fingers",
+      comes: async () => {
+        await touch("touchStart", thumb);
+        await touch("touchStart", thumb, pressed);
+        await said.waitFor();
+        await touch("touchEnd");
+      },
+      // The same place of the screen is the same button, without a look.
+      goes: async () => {
+        await touch("touchStart", pressed);
+        await moves(true);
+        expect(await said.count()).toBe(0);
+        await touch("touchEnd");
+        await moves(false);
+      },
+    };
+    await expectStill(page, ["Joint 1 plus, while held", "Joint 7 minus, while held"], question, twoFingers, await slowRobot(fixture, page, "toAndFro"), await otherPerson(fixture, page));
   });
 
   it("stops when the finger leaves for a call: the page is hidden", async () => {

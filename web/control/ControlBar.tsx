@@ -1,10 +1,12 @@
 // Who has the controls of the cell, its mode, and whether the robot is slowed down; that this page has lost them, and why; and who asks for them.
 import type { ReactNode } from "react";
+import { createPortal } from "react-dom";
 import type { RobotSpeed } from "../page/pageStream";
 import { useSelected } from "../page/store";
 import { speedSign } from "../shared/control/speed";
 import { isOwn, holderText, linkWarning, modeText } from "../shared/control/texts";
 import { useStop } from "../stop/useStop";
+import { useNotesPlace } from "./HandNotes";
 import { controls, useControls } from "./page";
 import { RequestBar } from "./RequestBar";
 import { SpeedSign } from "./SpeedSign";
@@ -18,7 +20,7 @@ interface Props extends TakeProps {
   /** Of the account. */
   readonly fetcher: typeof fetch;
   readonly speed: RobotSpeed;
-  /** Sets the speed, while it is not the whole; nothing: the page does that under `Run`. */
+  /** Sets the speed, while it is not the whole; nothing: the page does that under `Run`. Where the robot is moved by hand (HandNotes.tsx), the page has it there. */
   readonly children?: ReactNode;
 }
 
@@ -28,12 +30,23 @@ export function ControlBar({ always, address, refusal, refusalToAnswer, fetcher,
   const held = useStop((stop) => stop.held);
   const request = useStop((stop) => stop.request);
   const link = useControls((state) => state);
+  const notes = useNotesPlace();
   const warning = linkWarning(link, holder);
   const sign = speedSign(useSelected(speed.store, ({ share }) => share));
   const others = request !== null && !(link.kind === "asked" && link.request === request.id) ? request : undefined;
   if (mode === undefined && warning === undefined && sign === undefined) return null;
   if (!always && holder === null && held === undefined && mode !== "programming" && link.kind === "none" && others === undefined && sign === undefined) return null;
   const isMine = isOwn(holder, held);
+  const comes = (
+    <>
+      {sign !== undefined && (
+        <SpeedSign sign={sign} isSetHere={children !== undefined}>
+          {notes === undefined ? children : undefined}
+        </SpeedSign>
+      )}
+      {others !== undefined && <RequestBar key={others.id} request={others} refusal={refusalToAnswer} fetcher={fetcher} />}
+    </>
+  );
   return (
     <section className={`control-bar${isMine ? " is-mine" : ""}${mode === "programming" ? " is-programming" : ""}`} aria-label="Controls of the cell">
       {warning !== undefined && (
@@ -57,8 +70,7 @@ export function ControlBar({ always, address, refusal, refusalToAnswer, fetcher,
           </div>
         </div>
       )}
-      {sign !== undefined && <SpeedSign sign={sign}>{children}</SpeedSign>}
-      {others !== undefined && <RequestBar key={others.id} request={others} refusal={refusalToAnswer} fetcher={fetcher} />}
+      {notes === undefined ? comes : createPortal(comes, notes)}
     </section>
   );
 }

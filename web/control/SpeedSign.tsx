@@ -4,12 +4,14 @@ import { speedSign } from "../shared/control/speed";
 
 interface Props {
   readonly sign: NonNullable<ReturnType<typeof speedSign>>;
-  /** Sets it; nothing: the page does that under `Run`. */
+  /** Or under `Run`. */
+  readonly isSetHere: boolean;
+  /** Sets it. */
   readonly children: ReactNode;
 }
 
-export function SpeedSign({ sign: { title, means, stands }, children }: Props) {
-  const todo = children === undefined ? "Set a higher speed under Run" : "Set a higher speed here";
+export function SpeedSign({ sign: { title, means, stands }, isSetHere, children }: Props) {
+  const todo = isSetHere ? "Set a higher speed here" : "Set a higher speed under Run";
   return (
     <div className={`speed-sign${stands ? " is-standing" : ""}`}>
       <p key={title} role={stands ? "alert" : "status"}>

@@ -34,7 +34,7 @@ function Page() {
         <Status />
         <PairingNotice />
         {isLost && <LostServer />}
-        {view !== "show" && <Asking />}
+        {view === "run" && <Asking />}
         <main key={view} className={`view-${view}`} inert={isLost}>
           <View />
         </main>

@@ -5,10 +5,7 @@ import { goTo, usePlace } from "./place";
 export function Status() {
   const page = useDisplay((now) => now);
   const view = usePlace((place) => place.view);
-  const refusal = useRefusal("be_display");
-  const problem = useSession((now) => now.problem);
   const isLost = useSession((now) => now.connection === "lost");
-  const refused = refusal === undefined ? page.problem : `This page is no display: ${refusal}.`;
   return (
     <header>
       <div className="line">
@@ -17,6 +14,20 @@ export function Status() {
           {page.connection === "open" ? "Connected" : isLost ? "Connection lost" : "Connecting"}
         </span>
       </div>
+      {view !== "move" && <Problems />}
+      {view === "show" && !page.sound && <p className="notice">Touch the screen once to hear sounds.</p>}
+    </header>
+  );
+}
+
+/** What was not done, and why this page is no display. Where the robot is moved by hand, they are among its notes (control/HandNotes.tsx), as a question is. */
+export function Problems() {
+  const refusal = useRefusal("be_display");
+  const broken = useDisplay((page) => page.problem);
+  const problem = useSession((now) => now.problem);
+  const refused = refusal === undefined ? broken : `This page is no display: ${refusal}.`;
+  return (
+    <>
       {refused !== undefined && <p className="notice is-bad">{refused}</p>}
       {problem !== undefined && (
         <p className="notice is-bad has-button" role="alert">
@@ -26,8 +37,7 @@ export function Status() {
           </button>
         </p>
       )}
-      {view === "show" && !page.sound && <p className="notice">Touch the screen once to hear sounds.</p>}
-    </header>
+    </>
   );
 }
 

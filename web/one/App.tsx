@@ -10,7 +10,7 @@ import { Guide } from "./guide/Guide";
 import { useLeft } from "./guide/useLeft";
 import { Head } from "./Head";
 import { LeaveQuestion } from "./LeaveQuestion";
-import { usePlace } from "./place";
+import { useIsRun, usePlace } from "./place";
 import { RunView } from "./run/RunView";
 import { texts } from "./texts";
 import { Told } from "./Told";
@@ -30,8 +30,7 @@ export function FirstLogin() {
 function Page() {
   const [edit, view] = [usePlace((place) => place.edit), usePlace((place) => place.view)];
   const guide = usePlace((place) => place.guide);
-  // It is set there, whatever it is.
-  const isRun = edit !== undefined && (guide === undefined ? view === "run" : guide === "run");
+  const isRun = useIsRun();
   useLeft(guide !== undefined);
   const lost = useSession((s) => s.connection === "lost");
   const away = useSession((s) => (s.connection === "open" ? undefined : texts.frame.away));

@@ -39,6 +39,9 @@ const store = createStore<Place, Place>(read(), (_, next) => next);
 export const usePlace = <T>(select: (place: Place) => T): T => useSelected(store, select);
 export const place = (): Place => store.get();
 
+/** Whether a run is shown, also in the guide: its view sets the speed of the robot, whatever it is. */
+export const useIsRun = (): boolean => usePlace(({ edit, view, guide }) => edit !== undefined && (guide === undefined ? view === "run" : guide === "run"));
+
 /** Of the entry of the browser's history that is shown: one more with each new entry. */
 let number = 0;
 /** Of an entry; nothing: a person has written it into the address, behind all others. */

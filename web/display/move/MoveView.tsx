@@ -2,6 +2,7 @@
 import { Before } from "../../control/Before";
 import { GripperButtons } from "../../control/GripperButtons";
 import { GuidePart } from "../../control/GuidePart";
+import { HandNotes } from "../../control/HandNotes";
 import { JogPart } from "../../control/JogPart";
 import { SavePose } from "../../control/SavePose";
 import { SpeedSlider } from "../../control/SpeedSlider";
@@ -10,6 +11,7 @@ import { movableOf } from "../../shared/control/jog";
 import { kMovePartNames, kMoveParts } from "../../shared/pendant/view";
 import { useRefusal, useSession } from "../client";
 import { goTo, usePlace } from "../place";
+import { Asking, Problems } from "../Status";
 import { hand } from "./hand";
 import { PosesPart } from "./PosesPart";
 
@@ -19,12 +21,25 @@ export function MoveView() {
   const refusal = useRefusal("move_by_hand");
   const refused = hand.useMoving((now) => now.refused);
   const { robot, gripper } = movableOf(services);
-  if (robot === undefined && gripper === undefined) return <p className="empty">Nothing here can be moved by hand: no robot is connected to the server.</p>;
+  const notes = (
+    <HandNotes said={refusal === undefined && refused !== undefined ? `Not moved: ${refused}.` : ""}>
+      <ToolNotice services={services} />
+      <Problems />
+      <Asking />
+    </HandNotes>
+  );
+  if (robot === undefined && gripper === undefined)
+    return (
+      <div className="move">
+        {notes}
+        <p className="empty">Nothing here can be moved by hand: no robot is connected to the server.</p>
+      </div>
+    );
   return (
     <div className="move">
       <h2 className="unseen">Move the robot by hand</h2>
       {refusal !== undefined && <Before hand={hand} />}
-      <ToolNotice services={services} />
+      {notes}
       <div className="parts" role="group" aria-label="How to move">
         {kMoveParts.map((each) => (
           <button key={each} type="button" aria-pressed={each === part} onClick={() => goTo({ part: each })}>
@@ -32,9 +47,6 @@ export function MoveView() {
           </button>
         ))}
       </div>
-      <p className="refused" role="status">
-        {refusal === undefined && refused !== undefined ? `Not moved: ${refused}.` : ""}
-      </p>
       {robot !== undefined && (
         <>
           {part === "hand" ? (

@@ -4,6 +4,7 @@ import { Before } from "../../control/Before";
 import { GoToPose } from "../../control/GoToPose";
 import { GripperButtons } from "../../control/GripperButtons";
 import { GuidePart } from "../../control/GuidePart";
+import { HandNotes } from "../../control/HandNotes";
 import { JogPart } from "../../control/JogPart";
 import { SavePose } from "../../control/SavePose";
 import { SpeedSlider } from "../../control/SpeedSlider";
@@ -11,6 +12,7 @@ import { ToolNotice } from "../../control/ToolNotice";
 import { movableOf } from "../../shared/control/jog";
 import { hand } from "../hand";
 import { texts } from "../texts";
+import { SpeedHere } from "./SpeedHere";
 import { inMillimetres, useTool } from "./useTool";
 
 const t = texts.teach;
@@ -44,7 +46,9 @@ export function Teach({ stem, pose, withOthers = true, onSaved }: Props) {
     <section className="teach" aria-label={t.name}>
       <h2 className="unseen">{t.name}</h2>
       {refusal !== undefined && <Before hand={hand} />}
-      <ToolNotice services={services} />
+      <HandNotes said={refusal === undefined && refused !== undefined ? t.notMoved(refused) : ""}>
+        <ToolNotice services={services} />
+      </HandNotes>
       <div className="ways" role="group" aria-label={t.how}>
         {kWays.map((each) => (
           <button key={each} type="button" aria-pressed={each === way} onClick={() => setWay(each)}>
@@ -52,9 +56,6 @@ export function Teach({ stem, pose, withOthers = true, onSaved }: Props) {
           </button>
         ))}
       </div>
-      <p className="problem" role="status">
-        {refusal === undefined && refused !== undefined ? t.notMoved(refused) : ""}
-      </p>
       {way === "hand" ? <GuidePart hand={hand} refusal={refusal} /> : <JogPart hand={hand} kind={way} refusal={refusal} />}
       {way !== "hand" && <SpeedSlider hand={hand} />}
       {gripper !== undefined && <GripperButtons gripper={gripper} refusal={refusal} />}
@@ -62,6 +63,7 @@ export function Teach({ stem, pose, withOthers = true, onSaved }: Props) {
       {taught !== undefined && <GoToPose hand={hand} pose={taught} refusal={refusal} />}
       {pose !== undefined && <SavePose key={pose} hand={hand} isNamed={false} fixed={pose} onSaved={saved} />}
       {(pose === undefined || withOthers) && <SavePose hand={hand} isNamed={false} {...(stem !== undefined && { stem })} onSaved={saved} />}
+      <SpeedHere />
     </section>
   );
 }

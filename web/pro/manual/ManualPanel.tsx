@@ -1,5 +1,6 @@
 // The cell is moved by hand: who has the controls, the mode, and what can be moved while a button is held.
 import { GripperButtons } from "../../control/GripperButtons";
+import { HandNotes } from "../../control/HandNotes";
 import { JogButton } from "../../control/JogButton";
 import { ModeSwitch } from "../../control/ModeSwitch";
 import { SpeedOverride } from "../../control/SpeedOverride";
@@ -37,10 +38,9 @@ export function ManualPanel() {
         <SpeedOverride speed={robotSpeed} refusal={lost ? "the server is not there" : speed} />
       </div>
       <div className="manual-moves">
-        <p className="manual-why" role="status">
-          {refusal !== undefined ? `Nothing is moved by hand: ${refusal}.` : problem !== undefined ? `Not moved: ${problem}.` : ""}
-        </p>
-        <ToolNotice services={services} />
+        <HandNotes said={refusal !== undefined ? `Nothing is moved by hand: ${refusal}.` : problem !== undefined ? `Not moved: ${problem}.` : ""}>
+          <ToolNotice services={services} />
+        </HandNotes>
         <div className="manual-set">
           {robot === undefined ? <p className="quiet">No robot here can be moved by held buttons.</p> : <JogSettings />}
           {gripper !== undefined && <GripperButtons gripper={gripper} refusal={refusal} />}

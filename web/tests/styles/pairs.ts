@@ -58,7 +58,7 @@ const kDisplayText: Pairs = {
 
 const kStopText: Pairs = { stop: ["on-stop"], "stop-pressed": ["on-stop"], panel: ["ink"] };
 
-const kControlText: Pairs = { panel: ["ink", "soft"], paper: ["ink"], ink: ["panel"] };
+const kControlText: Pairs = { panel: ["ink", "soft"], paper: ["ink"], ink: ["panel"], "bad-soft": ["bad"] };
 
 /** Text: at least 4.5:1. */
 export const textPairs: Readonly<Record<PageName, Pairs>> = { pro: kProText, one: kProText, cell: kProText, display: kDisplayText, stop: kStopText, control: kControlText, trust: kDisplayText };
