@@ -1,19 +1,18 @@
 // What is there: the arm, the gripper, the camera.
 import { movableOf } from "../../shared/control/jog";
+import { recognitionOf } from "../../shared/skills/labels";
 import { useSession } from "../client";
 import { hand } from "../hand";
 import { texts } from "../texts";
 import { Ways } from "./Ways";
 
 const t = texts.cell;
-/** The type of a service that finds parts (services/recognition). */
-const kRecognition = "ObjectRecognition";
 
 export function CellStep() {
   const services = hand.useServices();
   const isHere = useSession((now) => now.connection === "open" && now.services.length > 0);
   const { robot, gripper } = movableOf(services);
-  const camera = services.find(({ type, available }) => type === kRecognition && available);
+  const camera = recognitionOf(services);
   const rows = [
     [robot !== undefined, t.robot, t.noRobot],
     [gripper !== undefined, t.gripper, t.noGripper],

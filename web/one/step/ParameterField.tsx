@@ -11,8 +11,8 @@ import { ChoiceField, ColourField, ToggleField } from "./ChoiceField";
 import { NumberInput } from "./NumberInput";
 import { PoseField } from "./PoseField";
 import { TextField } from "./TextField";
+import { LabelField, LabelsField } from "./LabelField";
 import { TextsField } from "./TextsField";
-import { useLabels } from "./known";
 import { texts } from "../texts";
 
 const t = texts.value;
@@ -50,11 +50,11 @@ export function ParameterField({ state, line, parameter: { about, value }, probl
       case "pose":
         return <PoseField step={state} name={about.name} {...common} value={typeof constant === "string" ? constant : undefined} set={set} />;
       case "label":
-        return <LabelField {...common} value={typeof constant === "string" ? constant : ""} set={set} />;
+        return <LabelField step={state} {...common} value={typeof constant === "string" ? constant : ""} set={set} />;
       case "labels":
-        return <LabelsField {...common} values={items} set={set} />;
+        return <LabelsField step={state} {...common} values={items} set={set} />;
       case "texts":
-        return about.name === "labels" ? <LabelsField {...common} values={items} set={set} /> : <TextsField {...common} known={[]} values={items} set={set} />;
+        return about.name === "labels" ? <LabelsField step={state} {...common} values={items} set={set} /> : <TextsField {...common} known={[]} values={items} set={set} />;
       case "colour":
         return <ColourField {...common} value={typeof constant === "string" ? constant : ""} set={set} />;
       case "text":
@@ -76,22 +76,10 @@ export function ParameterField({ state, line, parameter: { about, value }, probl
   );
 }
 
-interface LabelProps {
+interface FoundProps {
   readonly id: string;
   readonly label: string;
   readonly disabled: boolean;
-}
-
-function LabelField({ value, set, ...common }: LabelProps & { readonly value: string; readonly set: (value: ExactJson) => void }) {
-  const known = useLabels();
-  return <TextField {...common} value={value} set={set} isLong={false} known={known} />;
-}
-
-function LabelsField({ values, set, ...common }: LabelProps & { readonly values: readonly string[]; readonly set: (value: ExactJson) => void }) {
-  return <TextsField {...common} known={useLabels()} values={values} set={set} />;
-}
-
-interface FoundProps extends LabelProps {
   readonly state: string;
   readonly line: TimeLine;
   readonly name: string;

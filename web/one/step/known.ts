@@ -1,9 +1,14 @@
-// What fields can offer: poses that were taught and labels that the camera knows, as far as this page can find out.
-import { useMemo } from "react";
+// What fields can offer: poses that were taught, and labels of parts: what the camera sees now, what it knows, what documents name.
+import { useEffect, useMemo } from "react";
+import { useSelected } from "../../page/store";
+import { offeredLabels, recognitionOf, type OfferedLabels } from "../../shared/skills/labels";
 import { namedIn, type Named } from "../../shared/skills/named";
+import { bystander, useRefusal, useSession } from "../client";
 import { useTree } from "../editing";
 import { useTaughtPoses } from "../poses";
 import { useNamedElsewhere } from "../skills";
+import { texts } from "../texts";
+import { createSight } from "./sight";
 
 const sorted = (texts: readonly string[]): readonly string[] => [...new Set(texts)].filter((text) => text !== "").sort((a, b) => a.localeCompare(b));
 
@@ -32,8 +37,30 @@ export function usePoses(): Poses {
   }, [named, taught]);
 }
 
-/** What the camera may know: the labels in all documents, as the service does not tell. */
-export function useLabels(): readonly string[] {
+export interface Labels extends OfferedLabels {
+  readonly isLooking: boolean;
+  /** Why it is not known what the camera sees, as it is told. */
+  readonly problem: string | undefined;
+  /** Asks the camera again; nothing: it cannot be asked. */
+  readonly look: (() => void) | undefined;
+}
+
+const sight = createSight((service, operation) => bystander.callService(service, operation, {}));
+const kNone: readonly string[] = [];
+
+/** The labels that a field offers, for which the camera is asked once at each `step` that is opened, and when it is there again. */
+export function useLabels(step: string): Labels {
   const named = useNamed("labels");
-  return useMemo(() => sorted(named), [named]);
+  const service = useSession(({ connection, services }) => (connection === "open" ? recognitionOf(services) : undefined));
+  const refusal = useRefusal("call_service");
+  const asked = refusal === undefined ? service : undefined;
+  useEffect(() => {
+    if (asked !== undefined) sight.look(asked);
+  }, [step, asked]);
+  const { isLooking, seen, known, problem } = useSelected(sight.store, (now) => now);
+  const isThere = asked !== undefined;
+  const offered = useMemo(() => offeredLabels((isThere ? seen : undefined) ?? kNone, known, named), [isThere, seen, known, named]);
+  const { notAsked, noCamera, unknown } = texts.sight;
+  const reason = refusal !== undefined ? notAsked(refusal) : !isThere ? noCamera : problem === undefined ? undefined : unknown(problem);
+  return { ...offered, isLooking: isThere && isLooking, problem: reason, look: isThere ? () => sight.look(asked) : undefined };
 }

@@ -181,6 +181,16 @@ export const en = {
     another: "Another",
     add: "Add",
   },
+  /** Beside the labels of parts. */
+  sight: {
+    seen: "Seen now",
+    looking: "The camera looks…",
+    nothing: "The camera sees no part that it knows.",
+    unknown: (why: string) => `It is not known what the camera sees: ${why.replace(/\.$/, "")}.`,
+    notAsked: (why: string) => `The camera is not asked what it sees: ${why}.`,
+    noCamera: "No camera is there that says what it sees.",
+    again: "Look again",
+  },
   pose: {
     another: "Another…",
     name: (label: string) => `${label}: name of the pose`,
