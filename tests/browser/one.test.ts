@@ -509,6 +509,7 @@ describe("the demonstrator", () => {
     expect(await page.getByRole("button", { name: /Add a (task|skill)/ }).count()).toBe(0);
     await card("Search a part, with gestures").first().click();
     await expect.poll(() => new URL(page.url()).searchParams.get("step")).not.toBeNull();
+    await panel().getByText("Seen now", { exact: true }).waitFor(); // what is seen has its place then
     await panel().getByRole("checkbox", { name: "Box", exact: true }).uncheck();
     await panel().getByRole("checkbox", { name: "Bar", exact: true }).uncheck();
     await saved();
@@ -644,6 +645,10 @@ describe("a server with accounts", () => {
       await one.getByRole("button", { name: "Run", exact: true }).click();
       expect(await one.getByRole("button", { name: "Start", exact: true }).isDisabled()).toBe(true);
       await others.screenshot("one-observer");
+      await one.goto(`${others.url}/one/?edit=demonstrator`);
+      await card("Search a part, with gestures", one).first().click();
+      await panel(one).getByText("The camera is not asked what it sees: this needs the role operator, and your account has the role observer.").waitFor();
+      expect(await panel(one).getByRole("button", { name: "Look again" }).count()).toBe(0);
     } finally {
       await others.close();
     }

@@ -165,9 +165,10 @@ async function checkText(parameter: ParameterJson): Promise<void> {
   }
 }
 
-/** What the camera knows, each to be switched on and off; others are typed. */
+/** What the camera sees and knows, each to be switched on and off; others are typed. */
 async function checkLabels(parameter: ParameterJson): Promise<void> {
   const group = fieldOf(parameter).getByRole("group", { name: titleOf(parameter), exact: true });
+  await group.getByText("Seen now", { exact: true }).waitFor(); // what is seen has its place then
   const box = group.getByRole("checkbox", { name: "Cube", exact: true });
   const before = ((await onServer(parameter.name))?.value ?? []) as readonly string[];
   expect(await group.getByRole("checkbox", { checked: true }).count()).toBe(before.length);
