@@ -5,6 +5,7 @@ import type { Hand } from "./hand";
 import { ModeSwitch } from "./ModeSwitch";
 import { useControls } from "./page";
 import { TakeButton } from "./TakeButton";
+import { texts } from "./texts";
 
 export function Before({ hand }: { readonly hand: Hand }) {
   const take = hand.useRefusal("take_controls");
@@ -12,15 +13,15 @@ export function Before({ hand }: { readonly hand: Hand }) {
   const isHeld = useControls(({ kind }) => kind === "held");
   const stopped = useStop(isStopped);
   const isProgramming = useStop((now) => now.mode === "programming");
-  if (stopped) return <p className="notice is-bad">The cell is stopped: reset the stop first.</p>;
+  if (stopped) return <p className="notice is-bad">{texts.before.stopped}</p>;
   return (
-    <section className="before" aria-label="Before you move the robot">
+    <section className="before" aria-label={texts.before.name}>
       <p>
-        <b aria-hidden="true">{isHeld ? "✓" : "1"}</b> <span>One person at a time moves the robot.</span>
+        <b aria-hidden="true">{isHeld ? "✓" : "1"}</b> <span>{texts.before.controls}</span>
         {!isHeld && <TakeButton address={hand.address} refusal={take} />}
       </p>
       <p>
-        <b aria-hidden="true">{isProgramming ? "✓" : "2"}</b> <span>In programming mode it is moved by hand, at most 250 mm/s.</span>
+        <b aria-hidden="true">{isProgramming ? "✓" : "2"}</b> <span>{texts.before.mode}</span>
       </p>
       {!isProgramming && <ModeSwitch refusal={mode} fetcher={hand.fetcher} onProblem={hand.onProblem} />}
     </section>

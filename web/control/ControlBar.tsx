@@ -11,6 +11,7 @@ import { controls, useControls } from "./page";
 import { RequestBar } from "./RequestBar";
 import { SpeedSign } from "./SpeedSign";
 import { TakeButton, type TakeProps } from "./TakeButton";
+import { texts } from "./texts";
 
 interface Props extends TakeProps {
   /** Also while nobody has them and runs go by themselves. */
@@ -48,14 +49,14 @@ export function ControlBar({ always, address, refusal, refusalToAnswer, fetcher,
     </>
   );
   return (
-    <section className={`control-bar${isMine ? " is-mine" : ""}${mode === "programming" ? " is-programming" : ""}`} aria-label="Controls of the cell">
+    <section className={`control-bar${isMine ? " is-mine" : ""}${mode === "programming" ? " is-programming" : ""}`} aria-label={texts.bar.name}>
       {warning !== undefined && (
         <div className="control-lost">
           <p role="alert" aria-live="assertive">
             <strong>{warning.title}</strong> <span>{[warning.why, ...(warning.means === undefined ? [] : [warning.means.replace(/\.$/, "")])].join(". ")}.</span>
           </p>
           <button type="button" onClick={() => controls.dismiss()}>
-            I have read this
+            {texts.bar.read}
           </button>
         </div>
       )}
@@ -66,7 +67,7 @@ export function ControlBar({ always, address, refusal, refusalToAnswer, fetcher,
           </p>
           <div>
             <TakeButton address={address} refusal={refusal} />
-            {refusal !== undefined && <small className="unseen">Take: {refusal}.</small>}
+            {refusal !== undefined && <small className="unseen">{texts.bar.noTaking(refusal)}</small>}
           </div>
         </div>
       )}

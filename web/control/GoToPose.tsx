@@ -2,6 +2,7 @@
 import type { TaughtPose } from "../shared/pendant/poses";
 import type { Hand } from "./hand";
 import { HoldButton } from "./HoldButton";
+import { texts } from "./texts";
 
 interface Props {
   readonly hand: Hand;
@@ -11,8 +12,8 @@ interface Props {
 
 export function GoToPose({ hand, pose: { name, q }, refusal }: Props) {
   return (
-    <HoldButton name={`Go to ${name}`} className="is-go" title="The arm goes there while it is held, straight in its joints; it avoids nothing" refusal={refusal} moving={hand.moving} onBegin={() => hand.moving.goTo(q)}>
-      Go to “{name}”
+    <HoldButton name={texts.poses.goTo(name)} className="is-go" title={texts.poses.goToTitle} refusal={refusal} moving={hand.moving} onBegin={() => hand.moving.goTo(q)}>
+      {texts.poses.goToQuoted(name)}
     </HoldButton>
   );
 }

@@ -3,6 +3,7 @@ import { useState } from "react";
 import { controls } from "./page";
 import type { Movable } from "../shared/control/jog";
 import { messageOf } from "../shared/messageOf";
+import { texts } from "./texts";
 
 /** Slow [m/s]. */
 const kSpeed = 0.05;
@@ -21,22 +22,22 @@ export function GripperButtons({ gripper: { key, open, close }, refusal }: Props
     try {
       // `release` and `grasp` (services/gripper) can be told how fast.
       await controls.call(key, operation, operation === which ? {} : { speed: kSpeed });
-      setSaid(which === "open" ? "Open." : "Closed: it holds something.");
+      setSaid(which === "open" ? texts.gripper.opened : texts.gripper.closed);
     } catch (error) {
-      setSaid(`${messageOf(error)}.`);
+      setSaid(texts.gripper.failed(messageOf(error)));
     } finally {
       setBusy(undefined);
     }
   };
   const disabled = refusal !== undefined || busy !== undefined;
   return (
-    <div className="manual-gripper" role="group" aria-label={`Gripper ${key}`}>
-      <h3>Gripper</h3>
-      <button type="button" disabled={disabled} title={refusal} onClick={() => void move("open", open)}>
-        {busy === "open" ? "Opening…" : "Open"}
+    <div className="manual-gripper" role="group" aria-label={texts.gripper.name(key)}>
+      <h3>{texts.gripper.title}</h3>
+      <button type="button" data-of={texts.gripper.ofButton} disabled={disabled} title={refusal} onClick={() => void move("open", open)}>
+        {busy === "open" ? texts.gripper.opening : texts.gripper.open}
       </button>
-      <button type="button" disabled={disabled} title={refusal} onClick={() => void move("close", close)}>
-        {busy === "close" ? "Closing…" : "Close"}
+      <button type="button" data-of={texts.gripper.ofButton} disabled={disabled} title={refusal} onClick={() => void move("close", close)}>
+        {busy === "close" ? texts.gripper.closing : texts.gripper.close}
       </button>
       <small role="status">{said}</small>
     </div>

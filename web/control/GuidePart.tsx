@@ -3,6 +3,7 @@ import type { ReactNode } from "react";
 import { canGuide } from "../shared/control/jog";
 import type { Hand } from "./hand";
 import { HoldButton } from "./HoldButton";
+import { texts } from "./texts";
 
 interface Props {
   readonly hand: Hand;
@@ -13,12 +14,12 @@ interface Props {
 
 export function GuidePart({ hand, refusal, children }: Props) {
   const can = canGuide(hand.useServices());
-  if (!can) return <p className="empty">This robot cannot be led by hand.</p>;
+  if (!can) return <p className="empty">{texts.guide.cannot}</p>;
   return (
     <div className="guide">
-      <p>Take hold of the arm with the other hand first. It gives way while you hold the button, and holds still when you let go. A heavy part in the gripper pulls it down.</p>
-      <HoldButton name="Lead the arm by hand" className="is-large" refusal={refusal} moving={hand.moving} onBegin={hand.moving.guide}>
-        Hold to lead the arm
+      <p>{texts.guide.about}</p>
+      <HoldButton name={texts.guide.name} className="is-large" refusal={refusal} moving={hand.moving} onBegin={hand.moving.guide}>
+        {texts.guide.hold}
       </HoldButton>
       {children}
     </div>

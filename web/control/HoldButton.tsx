@@ -1,8 +1,9 @@
 // A button that moves the robot while it is held, by pointer or by key.
 import { useEffect, useRef, useState, type ReactNode } from "react";
 import { useSelected } from "../page/store";
-import { kTwoFingers, watchFingers } from "./fingers";
+import { watchFingers } from "./fingers";
 import type { Moving } from "./moving";
+import { texts } from "./texts";
 
 interface Props {
   /** What it does while it is held: `Joint 1 plus`. */
@@ -55,7 +56,7 @@ export function HoldButton({ name, title, className = "", refusal, moving, onBeg
     for (const [target, event] of events) target.addEventListener(event, over);
     const endWatch = watchFingers(window, pointer.current, () => {
       over();
-      moving.refuse(kTwoFingers);
+      moving.refuse(texts.hold.twoFingers);
     });
     return () => {
       endWatch();
@@ -68,12 +69,12 @@ export function HoldButton({ name, title, className = "", refusal, moving, onBeg
       type="button"
       className={`hold${held && isMoved ? " is-held" : ""} ${className}`}
       disabled={isRefused}
-      aria-label={`${name}, while held`}
-      title={refusal ?? title ?? `${name}: moves while it is held (Space or Enter, too)`}
+      aria-label={texts.hold.name(name)}
+      title={refusal ?? title ?? texts.hold.title(name)}
       onPointerDown={(event) => {
         if (event.button !== 0) return;
         if (!event.isPrimary) {
-          moving.refuse(kTwoFingers);
+          moving.refuse(texts.hold.twoFingers);
           return;
         }
         event.currentTarget.setPointerCapture(event.pointerId);

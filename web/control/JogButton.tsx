@@ -3,6 +3,7 @@ import type { ReactNode } from "react";
 import { partName, type JogPart, type Sign } from "../shared/control/jog";
 import { HoldButton } from "./HoldButton";
 import type { Moving } from "./moving";
+import { texts } from "./texts";
 
 interface Props {
   readonly part: JogPart;
@@ -19,8 +20,8 @@ export function JogButton({ part, sign, name, refusal, moving, children }: Props
   const { long } = partName(part);
   return (
     <HoldButton
-      name={name ?? `${long} ${sign > 0 ? "plus" : "minus"}`}
-      title={`${long} ${sign > 0 ? "+" : "−"}: moves while it is held (Space or Enter, too)`}
+      name={name ?? texts.jog[sign > 0 ? "plus" : "minus"](long)}
+      title={texts.hold.title(`${long} ${sign > 0 ? "+" : "−"}`)}
       refusal={refusal}
       moving={moving}
       onBegin={() => moving.jog(part, sign)}

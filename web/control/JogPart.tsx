@@ -3,6 +3,7 @@ import { jointNames, wayName, wayOf } from "../shared/control/directions";
 import { kJointParts, kToolParts, partName, type JogPart as Part, type Sign } from "../shared/control/jog";
 import type { Hand } from "./hand";
 import { JogButton } from "./JogButton";
+import { texts } from "./texts";
 
 interface Props {
   readonly hand: Hand;
@@ -30,7 +31,7 @@ export function JogPart({ hand, kind, refusal }: Props) {
     );
   };
   return (
-    <div className={`jog is-${kind}`} role="group" aria-label={kind === "joints" ? "Joints" : "Tool"}>
+    <div className={`jog is-${kind}`} role="group" aria-label={texts.jog[kind]}>
       {kind === "tool" && <FrameChoice hand={hand} />}
       {(kind === "joints" ? kJointParts : kToolParts).map((part) => {
         const { short, long } = partName(part);
@@ -53,10 +54,10 @@ export function JogPart({ hand, kind, refusal }: Props) {
 function FrameChoice({ hand }: { readonly hand: Hand }) {
   const frame = hand.useMoving((now) => now.frame);
   return (
-    <div className="frames" role="group" aria-label="Along the axes of">
+    <div className="frames" role="group" aria-label={texts.jog.frames}>
       {(["o", "tool"] as const).map((each) => (
         <button key={each} type="button" aria-pressed={frame === each} onClick={() => hand.moving.set({ frame: each })}>
-          {each === "o" ? "Axes of the cell" : "Axes of the tool"}
+          {each === "o" ? texts.jog.ofCell : texts.jog.ofTool}
         </button>
       ))}
     </div>

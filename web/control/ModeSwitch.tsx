@@ -6,6 +6,7 @@ import { kModeMeans, modeName } from "../shared/control/texts";
 import { byHand, reservedBy } from "../shared/stop/leases";
 import { stop } from "../stop/page";
 import { useStop } from "../stop/useStop";
+import { texts } from "./texts";
 
 const kModes: readonly CellMode[] = ["execution", "programming"];
 
@@ -29,22 +30,22 @@ export function ModeSwitch({ refusal, fetcher, onProblem }: Props) {
   };
   const wanted = refusal === undefined && asked !== mode && runs.length > 0 ? asked : undefined;
   return (
-    <div className="mode-switch" role="group" aria-label="Mode of the cell">
+    <div className="mode-switch" role="group" aria-label={texts.mode.name}>
       {kModes.map((each) => (
         <button key={each} type="button" aria-pressed={mode === each} disabled={refusal !== undefined} title={refusal ?? kModeMeans[each]} onClick={() => mode !== each && (runs.length > 0 ? setAsked(each) : turn(each))}>
           {modeName(each)}
         </button>
       ))}
       {wanted !== undefined && (
-        <div role="alertdialog" aria-label="Before the mode changes" aria-describedby="mode-question">
+        <div role="alertdialog" aria-label={texts.mode.question} aria-describedby="mode-question">
           <p id="mode-question">
-            {runs.length === 1 ? "Run" : "Runs"} {runs.map(({ core }) => core).join(", ")} {runs.length === 1 ? "is" : "are"} paused, and what moves stops.
+            {texts.mode.paused(runs.map(({ core }) => core).join(", "), runs.length)}
           </p>
           <button type="button" autoFocus onClick={() => turn(wanted)}>
-            Change to {modeName(wanted).toLowerCase()}
+            {texts.mode.change(modeName(wanted))}
           </button>
           <button type="button" onClick={() => setAsked(undefined)}>
-            Leave it
+            {texts.mode.leave}
           </button>
         </div>
       )}

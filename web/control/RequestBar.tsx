@@ -5,6 +5,7 @@ import { answerRequest, ControlRefusal } from "../shared/control/requests";
 import { messageOf } from "../shared/messageOf";
 import { useStop } from "../stop/useStop";
 import { useLeft } from "./TakeButton";
+import { texts } from "./texts";
 
 interface Props {
   readonly request: NonNullable<Control["request"]>;
@@ -16,7 +17,8 @@ interface Props {
 
 export function RequestBar({ request: { id, by }, refusal, fetcher }: Props) {
   const left = useLeft();
-  const loser = useStop((stop) => (stop.holder === null ? "nobody" : stop.holder.number === stop.held ? "you" : stop.holder.by));
+  /** Nothing: the person at this page. */
+  const loser = useStop((stop) => (stop.holder === null ? texts.request.nobody : stop.holder.number === stop.held ? undefined : stop.holder.by));
   const [busy, setBusy] = useState(false);
   const [reason, setReason] = useState<string>();
   const [isOver, setOver] = useState(false);
@@ -32,20 +34,21 @@ export function RequestBar({ request: { id, by }, refusal, fetcher }: Props) {
     }
   };
   const why = refusal ?? (isOver ? reason : undefined);
+  const said = why ?? reason;
   return (
-    <div className="control-request" role="group" aria-label="Request for the controls">
+    <div className="control-request" role="group" aria-label={texts.request.name}>
       <p role="alert">
-        <strong>{by} asks for the controls.</strong> <span>{loser === "you" ? "You lose them" : `${loser} loses them`} if this is allowed, and what moves by them stops.</span>
+        <strong>{texts.request.asks(by)}</strong> <span>{loser === undefined ? texts.request.youLose : texts.request.loses(loser)}</span>
       </p>
-      <span className="control-left">{left} s</span>
+      <span className="control-left">{texts.take.seconds(left)}</span>
       <div>
         <button type="button" disabled={busy || why !== undefined} title={why} onClick={() => void answer(true)}>
-          Allow
+          {texts.request.allow}
         </button>
         <button type="button" disabled={busy || why !== undefined} title={why} onClick={() => void answer(false)}>
-          Refuse
+          {texts.request.refuse}
         </button>
-        {(why ?? reason) !== undefined && <small role="status">Not here: {why ?? reason}.</small>}
+        {said !== undefined && <small role="status">{texts.request.refused(said)}</small>}
       </div>
     </div>
   );

@@ -2,6 +2,7 @@
 import { useEffect, useId, useReducer, useState } from "react";
 import { applySaving, kFirstSaving, shownSaving } from "../shared/pendant/saving";
 import type { Hand } from "./hand";
+import { texts } from "./texts";
 
 interface Props {
   readonly hand: Hand;
@@ -35,15 +36,15 @@ export function SavePose({ hand, stem, fixed, isNamed, onSaved }: Props) {
   return (
     <form
       className="save-pose"
-      aria-label={fixed === undefined ? "Save a pose" : `Save ${fixed}`}
+      aria-label={fixed === undefined ? texts.poses.save : texts.poses.saveNamed(fixed)}
       onSubmit={(event) => {
         event.preventDefault();
         if (isName && !busy && isLoaded && refusal === undefined) void save();
       }}
     >
-      {isNamed && fixed === undefined && <input type="text" aria-label="Name of the pose" aria-describedby={id} aria-invalid={!isName} maxLength={32} autoCapitalize="none" autoComplete="off" spellCheck={false} enterKeyHint="done" value={name} onChange={(event) => dispatch({ type: "written", entry: event.target.value })} />}
+      {isNamed && fixed === undefined && <input type="text" aria-label={texts.poses.name} aria-describedby={id} aria-invalid={!isName} maxLength={32} autoCapitalize="none" autoComplete="off" spellCheck={false} enterKeyHint="done" value={name} onChange={(event) => dispatch({ type: "written", entry: event.target.value })} />}
       <button type="submit" className={isNamed ? "plain" : "main"} disabled={!isName || busy || !isLoaded || refusal !== undefined} title={refusal}>
-        {busy ? "Saving…" : label}
+        {busy ? texts.poses.saving : label}
       </button>
       <p id={id} role="status" className={isBad ? "is-bad" : ""}>
         {hint}

@@ -4,6 +4,7 @@ import type { RobotSpeed } from "../page/pageStream";
 import { useSelected } from "../page/store";
 import { messageOf } from "../shared/messageOf";
 import { controls } from "./page";
+import { texts } from "./texts";
 
 /** Between two calls while the slider is moved [ms]; the last one comes in any case. */
 const kPace = 150;
@@ -47,16 +48,16 @@ export function SpeedOverride({ speed, refusal }: Props) {
     if (pace.current === undefined) call(next);
     else pace.current.waiting = next;
   };
-  const text = share === undefined ? "not known" : share === 0 ? "it waits on its way" : `${Math.round(share * 100)} %`;
+  const text = share === undefined ? texts.speed.unknown : share === 0 ? texts.speed.waits : texts.speed.share(Math.round(share * 100));
   return (
-    <section className="speed-override" aria-label="Speed of the robot">
+    <section className="speed-override" aria-label={texts.speed.name}>
       <label className="slider">
-        <span>Robot speed</span>
+        <span>{texts.speed.label}</span>
         <input type="range" min={kSteps.least} max={kSteps.most} step={kSteps.step} value={share ?? 1} disabled={refusal !== undefined} aria-valuetext={text} onChange={(event) => change(Number(event.target.value))} />
         <output>{text}</output>
       </label>
-      {refusal !== undefined && <p className="soft">To change it: {refusal}.</p>}
-      {problem !== undefined && <p className="is-bad" role="alert">Not changed: {problem}.</p>}
+      {refusal !== undefined && <p className="soft">{texts.speed.refused(refusal)}</p>}
+      {problem !== undefined && <p className="is-bad" role="alert">{texts.speed.failed(problem)}</p>}
     </section>
   );
 }

@@ -1,6 +1,7 @@
 // That the robot goes slower than its tasks say, or stands still for that: it outlives who has set it so.
 import type { ReactNode } from "react";
 import { speedSign } from "../shared/control/speed";
+import { texts } from "./texts";
 
 interface Props {
   readonly sign: NonNullable<ReturnType<typeof speedSign>>;
@@ -11,11 +12,11 @@ interface Props {
 }
 
 export function SpeedSign({ sign: { title, means, stands }, isSetHere, children }: Props) {
-  const todo = isSetHere ? "Set a higher speed here" : "Set a higher speed under Run";
+  const todo = isSetHere ? texts.speed.setHere : texts.speed.setUnderRun;
   return (
     <div className={`speed-sign${stands ? " is-standing" : ""}`}>
       <p key={title} role={stands ? "alert" : "status"}>
-        <strong>{title}</strong> <span>{stands ? `${means} ${todo}, and it goes on.` : means}</span>
+        <strong>{title}</strong> <span>{stands ? todo(means) : means}</span>
       </p>
       {children}
     </div>

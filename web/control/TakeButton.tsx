@@ -3,6 +3,7 @@ import { useEffect, useState } from "react";
 import { kAnswerTime, leftToAnswer } from "../shared/control/texts";
 import { useStop } from "../stop/useStop";
 import { controls, useControls } from "./page";
+import { texts } from "./texts";
 
 export interface TakeProps {
   /** Of the connection that holds them. */
@@ -17,15 +18,15 @@ export function TakeButton({ address, refusal }: TakeProps) {
   const isAsked = useStop((stop) => stop.request !== null);
   if (kind === "held")
     return (
-      <button type="button" className="control-give" title="What you moved by hand stops, and runs that need you are paused" onClick={() => controls.release()}>
-        Give back
+      <button type="button" className="control-give" title={texts.take.giveBackTitle} onClick={() => controls.release()}>
+        {texts.take.giveBack}
       </button>
     );
   if (kind === "asked") return <Waiting />;
-  const why = refusal ?? (!isFree && isAsked ? "somebody else asks for them already" : undefined);
+  const why = refusal ?? (!isFree && isAsked ? texts.take.othersAsk : undefined);
   return (
-    <button type="button" className="control-take" disabled={kind === "taking" || why !== undefined} title={why ?? (isFree ? "Then nobody else moves the cell or begins a run" : "A person at the cell has to allow it")} onClick={() => controls.take(address, !isFree)}>
-      {kind === "taking" ? "Taking…" : isFree ? "Take the controls" : "Ask to take over"}
+    <button type="button" className="control-take" disabled={kind === "taking" || why !== undefined} title={why ?? (isFree ? texts.take.takeTitle : texts.take.askTitle)} onClick={() => controls.take(address, !isFree)}>
+      {kind === "taking" ? texts.take.taking : isFree ? texts.take.take : texts.take.ask}
     </button>
   );
 }
@@ -45,10 +46,10 @@ function Waiting() {
   const left = useLeft();
   return (
     <>
-      <span role="status">A person at the cell is asked</span>
-      <span className="control-left">{left} s</span>
+      <span role="status">{texts.take.asked}</span>
+      <span className="control-left">{texts.take.seconds(left)}</span>
       <button type="button" className="control-give" onClick={() => controls.release()}>
-        Ask no more
+        {texts.take.askNoMore}
       </button>
     </>
   );

@@ -2,6 +2,7 @@
 import { useState } from "react";
 import type { HostedService } from "../generated/messages";
 import { toolOf, toolWarning } from "../shared/control/tool";
+import { texts } from "./texts";
 
 export function ToolNotice({ services }: { readonly services: readonly HostedService[] }) {
   const now = toolOf(services);
@@ -15,7 +16,7 @@ export function ToolNotice({ services }: { readonly services: readonly HostedSer
       {warning}{" "}
       {now !== undefined && (
         <button type="button" className="plain" onClick={() => setFirst(now)}>
-          I have read this
+          {texts.tool.read}
         </button>
       )}
     </p>

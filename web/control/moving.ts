@@ -5,6 +5,7 @@ import { kFirstShare, jogOf, movableOf, type JogFrame, type JogPart, type Sign }
 import { CallError } from "../shared/control/link";
 import { createStore } from "../page/store";
 import { controls, every } from "./page";
+import { texts } from "./texts";
 
 export interface MovingState {
   /** Of the fastest motion, 0..1: slow at first. */
@@ -33,7 +34,7 @@ export function createMoving({ refusal, services, onRefused, onArrived }: Moving
     onRefused?.();
   };
   const motion = createHeldMotion({
-    call: (operation, kwargs) => (robot === undefined ? Promise.reject(new CallError("missing", "no robot is there")) : controls.call(robot, operation, kwargs)),
+    call: (operation, kwargs) => (robot === undefined ? Promise.reject(new CallError("missing", texts.hold.noRobot)) : controls.call(robot, operation, kwargs)),
     every,
     onRefused: refuse,
     ...(onArrived !== undefined && { onDone: onArrived }),

@@ -2,6 +2,7 @@
 import { useSyncExternalStore } from "react";
 import { createControlLink, type ControlSocket, type LinkState, type SocketHandlers } from "../shared/control/link";
 import { stop } from "../stop/page";
+import { texts } from "./texts";
 
 function open(address: string, { onOpen, onText, onClose }: SocketHandlers): ControlSocket {
   const socket = new WebSocket(address);
@@ -38,7 +39,7 @@ export const useControls = <T>(select: (state: LinkState) => T): T => useSyncExt
 
 /** Gives the controls back when nobody can see what happens; to be called once. */
 export function followControls(): void {
-  document.addEventListener("visibilitychange", () => document.hidden && controls.release("this page was hidden"));
-  document.addEventListener("freeze", () => controls.release("this page was frozen"));
-  addEventListener("pagehide", () => controls.release("this page was left"));
+  document.addEventListener("visibilitychange", () => document.hidden && controls.release(texts.take.hidden));
+  document.addEventListener("freeze", () => controls.release(texts.take.frozen));
+  addEventListener("pagehide", () => controls.release(texts.take.left));
 }

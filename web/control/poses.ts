@@ -6,6 +6,7 @@ import { movableOf } from "../shared/control/jog";
 import type { JsonValue } from "../shared/json";
 import { messageOf } from "../shared/messageOf";
 import { keyOfPose, kMostPoses, kPosePrefix, poseNames, readPose, type TaughtPose } from "../shared/pendant/poses";
+import { texts } from "./texts";
 
 export interface PosesState {
   /** The first kMostPoses of those that the arm can go to. */
@@ -76,10 +77,10 @@ export function createPoses({ api, services }: PosesOptions) {
         // Somebody may have saved one since this page has read them.
         if (!replaces && poseNames(await call("list", { prefix: keyOfPose(name) })).includes(name)) {
           await load();
-          throw new Error(`${name} is there already`);
+          throw new Error(texts.poses.taken(name));
         }
         const { robot } = movableOf(services());
-        if (robot === undefined) throw new Error("no robot is there");
+        if (robot === undefined) throw new Error(texts.hold.noRobot);
         const { pose, q } = (await api.callService(robot, "state", {})) as { readonly pose: JsonValue; readonly q: JsonValue };
         await call("add", { key: keyOfPose(name), value: { pose, q } });
       }),

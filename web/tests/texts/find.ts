@@ -1,4 +1,4 @@
-// What a person would read in code, found in its syntax; and all texts of a language.
+// What a person would read in code, found in its syntax, and in style sheets; and all texts of a language.
 import ts from "typescript";
 
 /** Attributes and properties whose value a person reads or hears. */
@@ -50,6 +50,9 @@ export function textsIn(code: string, file = "code.tsx"): readonly string[] {
   visit(ts.createSourceFile(file, code, ts.ScriptTarget.Latest, true));
   return [...found];
 }
+
+/** What a person would read that a style sheet puts before or behind elements. */
+export const textsInStyles = (styles: string): readonly string[] => [...styles.matchAll(/[\s;{]content:[^;}]*?(["'])(.*?)\1/g)].map(([, , text = ""]) => text).filter(hasWord);
 
 /** All texts, those that are made of values with words for these. */
 export function leaves(value: unknown): readonly string[] {

@@ -3,10 +3,11 @@ import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { describe, expect, it } from "vitest";
+import { en as control } from "../../control/texts/en";
 import { en as one } from "../../one/texts/en";
 import { en as pairing } from "../../pairing/texts/en";
 import { en as stop } from "../../stop/texts/en";
-import { leaves, textsIn } from "./find";
+import { leaves, textsIn, textsInStyles } from "./find";
 
 const web = fileURLToPath(new URL("../..", import.meta.url));
 
@@ -19,17 +20,24 @@ interface Folder {
   readonly without?: readonly string[];
 }
 const kFolders: readonly Folder[] = [
+  { name: "control", texts: control, files: 22 },
   { name: "one", texts: one, files: 50, without: ["main.tsx"] },
   { name: "pairing", texts: pairing, files: 8 },
   { name: "stop", texts: stop, files: 6 },
 ];
 
 describe.each(kFolders)("the texts of web/$name", ({ name, texts, files, without = [] }) => {
+  const folder = join(web, name);
+  const all = readdirSync(folder, { recursive: true, encoding: "utf8" });
+
   it("stand in no other file of the folder", () => {
-    const folder = join(web, name);
-    const read = readdirSync(folder, { recursive: true, encoding: "utf8" }).filter((file) => /\.tsx?$/.test(file) && !file.startsWith("texts") && !without.includes(file));
+    const read = all.filter((file) => /\.tsx?$/.test(file) && !file.startsWith("texts") && !without.includes(file));
     expect(read.length).toBeGreaterThanOrEqual(files);
     expect(read.flatMap((file) => textsIn(readFileSync(join(folder, file), "utf8"), file).map((text) => `${file}: ${text}`))).toEqual([]);
+  });
+
+  it("stand in no style sheet", () => {
+    expect(all.filter((file) => file.endsWith(".css")).flatMap((file) => textsInStyles(readFileSync(join(folder, file), "utf8")).map((text) => `${file}: ${text}`))).toEqual([]);
   });
 
   it("say something", () => {
@@ -48,6 +56,13 @@ describe("a text in code", () => {
     expect(textsIn('throw new Error("the server does not answer");')).toEqual(["the server does not answer"]);
     expect(textsIn('const a = { kind: "part", key: "Escape" }; document.querySelector(".skills input");')).toEqual([]);
     expect(textsIn('const a = <p className={`one ${b ? "two three" : ""}`} data-kind={b ? "part" : "place"} />;')).toEqual([]);
+  });
+});
+
+describe("a text in a style sheet", () => {
+  it("would be found, and what it takes from the element would not", () => {
+    expect(textsInStyles(`a::before { content: "Gripper: "; color: var(--ink); } b::after { content: 'now' }`)).toEqual(["Gripper: ", "now"]);
+    expect(textsInStyles('a::before { content: attr(data-of); } b::before { content: "↗"; } p { align-content: start; }')).toEqual([]);
   });
 });
 

@@ -1,0 +1,111 @@
+// English: what a person reads or hears of the controls of the cell and of the robot that is moved by hand, besides shared/control and shared/pendant.
+export const en = {
+  /** What is to be done before the robot is moved. */
+  before: {
+    name: "Before you move the robot",
+    stopped: "The cell is stopped: reset the stop first.",
+    controls: "One person at a time moves the robot.",
+    mode: "In programming mode it is moved by hand, at most 250 mm/s.",
+  },
+  bar: {
+    name: "Controls of the cell",
+    read: "I have read this",
+    noTaking: (why: string) => `Take: ${why}.`,
+  },
+  take: {
+    take: "Take the controls",
+    takeTitle: "Then nobody else moves the cell or begins a run",
+    taking: "Taking…",
+    ask: "Ask to take over",
+    askTitle: "A person at the cell has to allow it",
+    othersAsk: "somebody else asks for them already",
+    asked: "A person at the cell is asked",
+    seconds: (left: number) => `${left} s`,
+    askNoMore: "Ask no more",
+    giveBack: "Give back",
+    giveBackTitle: "What you moved by hand stops, and runs that need you are paused",
+    /** Why they were given back, not by a person. */
+    hidden: "this page was hidden",
+    frozen: "this page was frozen",
+    left: "this page was left",
+  },
+  /** Somebody else asks for the controls. */
+  request: {
+    name: "Request for the controls",
+    asks: (by: string) => `${by} asks for the controls.`,
+    youLose: "You lose them if this is allowed, and what moves by them stops.",
+    loses: (who: string) => `${who} loses them if this is allowed, and what moves by them stops.`,
+    nobody: "nobody",
+    allow: "Allow",
+    refuse: "Refuse",
+    refused: (why: string) => `Not here: ${why}.`,
+  },
+  mode: {
+    name: "Mode of the cell",
+    question: "Before the mode changes",
+    paused: (runs: string, count: number) => `${count === 1 ? "Run" : "Runs"} ${runs} ${count === 1 ? "is" : "are"} paused, and what moves stops.`,
+    change: (mode: string) => `Change to ${mode.toLowerCase()}`,
+    leave: "Leave it",
+  },
+  /** Buttons that move the robot while they are held. */
+  hold: {
+    name: (what: string) => `${what}, while held`,
+    title: (what: string) => `${what}: moves while it is held (Space or Enter, too)`,
+    twoFingers: "more than one finger is on the screen. Lift all of them, then press with one",
+    noRobot: "no robot is there",
+  },
+  jog: {
+    joints: "Joints",
+    tool: "Tool",
+    plus: (part: string) => `${part} plus`,
+    minus: (part: string) => `${part} minus`,
+    frames: "Along the axes of",
+    ofCell: "Axes of the cell",
+    ofTool: "Axes of the tool",
+    speed: "Speed",
+  },
+  guide: {
+    cannot: "This robot cannot be led by hand.",
+    about: "Take hold of the arm with the other hand first. It gives way while you hold the button, and holds still when you let go. A heavy part in the gripper pulls it down.",
+    name: "Lead the arm by hand",
+    hold: "Hold to lead the arm",
+  },
+  gripper: {
+    title: "Gripper",
+    name: (key: string) => `Gripper ${key}`,
+    /** Before the word on a button, where the page has no room for the title. */
+    ofButton: "Gripper: ",
+    open: "Open",
+    opening: "Opening…",
+    opened: "Open.",
+    close: "Close",
+    closing: "Closing…",
+    closed: "Closed: it holds something.",
+    failed: (why: string) => `${why}.`,
+  },
+  tool: {
+    read: "I have read this",
+  },
+  poses: {
+    goTo: (name: string) => `Go to ${name}`,
+    goToQuoted: (name: string) => `Go to “${name}”`,
+    goToTitle: "The arm goes there while it is held, straight in its joints; it avoids nothing",
+    save: "Save a pose",
+    saveNamed: (name: string) => `Save ${name}`,
+    name: "Name of the pose",
+    saving: "Saving…",
+    taken: (name: string) => `${name} is there already`,
+  },
+  /** How fast the robot goes on its way. */
+  speed: {
+    name: "Speed of the robot",
+    label: "Robot speed",
+    unknown: "not known",
+    waits: "it waits on its way",
+    share: (percent: number) => `${percent} %`,
+    refused: (why: string) => `To change it: ${why}.`,
+    failed: (why: string) => `Not changed: ${why}.`,
+    setUnderRun: (means: string) => `${means} Set a higher speed under Run, and it goes on.`,
+    setHere: (means: string) => `${means} Set a higher speed here, and it goes on.`,
+  },
+};
