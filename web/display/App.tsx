@@ -11,6 +11,7 @@ import { RunView } from "./run/RunView";
 import { ShowView } from "./show/ShowView";
 import { Asking, Status } from "./Status";
 import { Tabs } from "./Tabs";
+import { texts } from "./texts";
 
 const kViews = { show: ShowView, move: MoveView, run: RunView } as const;
 
@@ -23,7 +24,7 @@ function Page() {
   const view = usePlace((place) => place.view);
   const connection = useDisplay((page) => page.connection);
   const isLost = useSession((now) => now.connection === "lost");
-  const lost = connection === "open" ? undefined : "the server is not there";
+  const lost = connection === "open" ? undefined : texts.frame.away;
   const [reset, take, answer] = [useRefusal("reset_stop"), useRefusal("take_controls"), useRefusal("answer_control")];
   const View = kViews[view];
   return (

@@ -4,6 +4,7 @@ import { messageOf } from "../shared/messageOf";
 import { PairingNotice } from "./PairingNotice";
 import { StoppedBanner } from "../stop/StoppedBanner";
 import { trustAddress } from "../shared/trust/trustAddress";
+import { texts } from "./texts";
 
 interface Props {
   /** Throws what is in the way. */
@@ -29,23 +30,23 @@ export function Login({ logIn }: Props) {
   };
   return (
     <main>
-      <StoppedBanner refusal="log in first" fetcher={fetch} />
-      <form className="display login" aria-label="Log in" onSubmit={(event) => void enter(event)}>
-        <h1>Log in to RACE</h1>
+      <StoppedBanner refusal={texts.login.first} fetcher={fetch} />
+      <form className="display login" aria-label={texts.login.form} onSubmit={(event) => void enter(event)}>
+        <h1>{texts.login.title}</h1>
         <PairingNotice />
-        <input aria-label="Name" placeholder="Name" autoComplete="username" autoCapitalize="none" spellCheck={false} maxLength={40} value={name} onChange={(event) => setName(event.target.value)} />
-        <input aria-label="Password" placeholder="Password" type="password" autoComplete="current-password" value={password} onChange={(event) => setPassword(event.target.value)} />
+        <input aria-label={texts.login.name} placeholder={texts.login.name} autoComplete="username" autoCapitalize="none" spellCheck={false} maxLength={40} value={name} onChange={(event) => setName(event.target.value)} />
+        <input aria-label={texts.login.password} placeholder={texts.login.password} type="password" autoComplete="current-password" value={password} onChange={(event) => setPassword(event.target.value)} />
         {reason !== undefined && (
           <p className="notice is-bad" role="alert">
             {reason}
           </p>
         )}
         <button type="submit" className="choice" disabled={busy || name.trim() === "" || password === ""}>
-          Log in
+          {texts.login.enter}
         </button>
         {trust !== undefined && (
           <p className="hint">
-            Did the browser warn of this server? <a href={trust}>Let this device trust it</a>
+            {texts.login.warned} <a href={trust}>{texts.login.trust}</a>
           </p>
         )}
       </form>

@@ -1,5 +1,6 @@
 // The server is not there: nobody overlooks it.
 import { useEffect, useState } from "react";
+import { texts } from "./texts";
 
 export function LostServer() {
   const [since] = useState(Date.now);
@@ -9,11 +10,11 @@ export function LostServer() {
     return () => clearInterval(timer);
   }, []);
   return (
-    <section className="lost-server" role="alert" aria-label="No connection">
-      <strong>NO CONNECTION</strong>
-      <p>What you moved by hand has stopped. A run may go on: this page does not see it.</p>
+    <section className="lost-server" role="alert" aria-label={texts.lost.name}>
+      <strong>{texts.lost.title}</strong>
+      <p>{texts.lost.about}</p>
       <p>
-        Trying again… <span aria-hidden="true">{Math.round((now - since) / 1000)} s</span>
+        {texts.lost.trying} <span aria-hidden="true">{texts.lost.seconds(Math.round((now - since) / 1000))}</span>
       </p>
     </section>
   );

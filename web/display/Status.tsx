@@ -1,6 +1,7 @@
 // How the connection is, what is in the way, and that a question waits in another view.
 import { dismissProblem, useDisplay, useRefusal, useSession } from "./client";
 import { goTo, usePlace } from "./place";
+import { texts } from "./texts";
 
 export function Status() {
   const page = useDisplay((now) => now);
@@ -10,12 +11,12 @@ export function Status() {
     <header>
       <div className="line">
         <h1 className="name">{page.name}</h1>
-        <span role="status" aria-label="Connection" className={page.connection === "open" ? "is-open" : "is-closed"}>
-          {page.connection === "open" ? "Connected" : isLost ? "Connection lost" : "Connecting"}
+        <span role="status" aria-label={texts.frame.connection} className={page.connection === "open" ? "is-open" : "is-closed"}>
+          {page.connection === "open" ? texts.frame.connected : isLost ? texts.frame.connectionLost : texts.frame.connecting}
         </span>
       </div>
       {view !== "move" && <Problems />}
-      {view === "show" && !page.sound && <p className="notice">Touch the screen once to hear sounds.</p>}
+      {view === "show" && !page.sound && <p className="notice">{texts.frame.touch}</p>}
     </header>
   );
 }
@@ -25,7 +26,7 @@ export function Problems() {
   const refusal = useRefusal("be_display");
   const broken = useDisplay((page) => page.problem);
   const problem = useSession((now) => now.problem);
-  const refused = refusal === undefined ? broken : `This page is no display: ${refusal}.`;
+  const refused = refusal === undefined ? broken : texts.frame.noDisplay(refusal);
   return (
     <>
       {refused !== undefined && <p className="notice is-bad">{refused}</p>}
@@ -33,7 +34,7 @@ export function Problems() {
         <p className="notice is-bad has-button" role="alert">
           <span>{problem}</span>
           <button type="button" className="plain" onClick={dismissProblem}>
-            OK
+            {texts.frame.ok}
           </button>
         </p>
       )}
@@ -46,10 +47,10 @@ export function Asking() {
   const question = useDisplay((page) => page.content?.question);
   if (question === undefined) return null;
   return (
-    <section className="notice is-question has-button" aria-label="A task asks">
+    <section className="notice is-question has-button" aria-label={texts.frame.asks}>
       <p role="alert">{question.text}</p>
       <button type="button" className="choice" onClick={() => goTo({ view: "show" })}>
-        Answer
+        {texts.frame.answer}
       </button>
     </section>
   );

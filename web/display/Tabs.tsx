@@ -2,6 +2,7 @@
 import { hashOf, kViewNames, kViews, placeOf, type PendantView } from "../shared/pendant/view";
 import { canAnswer } from "../shared/display/page";
 import { useDisplay } from "./client";
+import { texts } from "./texts";
 
 interface Props {
   readonly view: PendantView;
@@ -13,11 +14,11 @@ export function Tabs({ view, name }: Props) {
   const isAsked = useDisplay((page) => page.content?.question !== undefined && canAnswer(page));
   const { part } = placeOf(location.hash);
   return (
-    <nav className="tabs" aria-label={`Views of ${name}`}>
+    <nav className="tabs" aria-label={texts.frame.views(name)}>
       {kViews.map((each) => (
         <a key={each} href={hashOf({ view: each, part })} aria-current={each === view ? "page" : undefined}>
           {kViewNames[each]}
-          {each === "show" && isAsked && <span className="mark" role="img" aria-label="A question waits" />}
+          {each === "show" && isAsked && <span className="mark" role="img" aria-label={texts.frame.waits} />}
         </a>
       ))}
     </nav>

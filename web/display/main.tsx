@@ -16,6 +16,8 @@ import { App } from "./App";
 import { connect, ownName } from "./client";
 import { followCodes, pairByAddress } from "./pairing";
 import { followPerson } from "./person";
+import { texts } from "./texts";
+import { WrongName } from "./WrongName";
 
 showStop();
 followControls();
@@ -25,9 +27,9 @@ if (element === null) throw new Error("the page has no #root");
 const root = createRoot(element);
 
 if (ownName === undefined) {
-  root.render(<p className="notice is-bad">The name of a display has 1 to 32 letters, digits, “_” or “-”, and is not “all”.</p>);
+  root.render(<WrongName />);
 } else {
-  document.title = `${ownName} · RACE`;
+  document.title = texts.frame.title(ownName);
   void pairByAddress().then(connect);
   followCodes();
   followPerson();

@@ -12,6 +12,7 @@ import { kMovePartNames, kMoveParts } from "../../shared/pendant/view";
 import { useRefusal, useSession } from "../client";
 import { goTo, usePlace } from "../place";
 import { Asking, Problems } from "../Status";
+import { texts } from "../texts";
 import { hand } from "./hand";
 import { PosesPart } from "./PosesPart";
 
@@ -22,7 +23,7 @@ export function MoveView() {
   const refused = hand.useMoving((now) => now.refused);
   const { robot, gripper } = movableOf(services);
   const notes = (
-    <HandNotes said={refusal === undefined && refused !== undefined ? `Not moved: ${refused}.` : ""}>
+    <HandNotes said={refusal === undefined && refused !== undefined ? texts.move.refused(refused) : ""}>
       <ToolNotice services={services} />
       <Problems />
       <Asking />
@@ -32,15 +33,15 @@ export function MoveView() {
     return (
       <div className="move">
         {notes}
-        <p className="empty">Nothing here can be moved by hand: no robot is connected to the server.</p>
+        <p className="empty">{texts.move.nothing}</p>
       </div>
     );
   return (
     <div className="move">
-      <h2 className="unseen">Move the robot by hand</h2>
+      <h2 className="unseen">{texts.move.title}</h2>
       {refusal !== undefined && <Before hand={hand} />}
       {notes}
-      <div className="parts" role="group" aria-label="How to move">
+      <div className="parts" role="group" aria-label={texts.move.how}>
         {kMoveParts.map((each) => (
           <button key={each} type="button" aria-pressed={each === part} onClick={() => goTo({ part: each })}>
             {kMovePartNames[each]}

@@ -4,6 +4,7 @@ import { GoToPose } from "../../control/GoToPose";
 import { SavePose } from "../../control/SavePose";
 import type { TaughtPose } from "../../shared/pendant/poses";
 import { useRefusal } from "../client";
+import { texts } from "../texts";
 import { hand } from "./hand";
 
 export function PosesPart({ refusal }: { readonly refusal: string | undefined }) {
@@ -15,14 +16,14 @@ export function PosesPart({ refusal }: { readonly refusal: string | undefined })
       <SavePose hand={hand} isNamed />
       {problem !== undefined && (
         <p className="is-bad" role="alert">
-          The poses cannot be read: {problem}.{" "}
+          {texts.poses.unreadable(problem)}{" "}
           <button type="button" className="plain" onClick={hand.poses.load}>
-            Try again
+            {texts.poses.tryAgain}
           </button>
         </p>
       )}
-      {isLoaded && saved.length === 0 && <p className="empty">No pose is saved yet. Move the arm to a place that matters, then save it here; tasks use it by its name.</p>}
-      <ul aria-label="Saved poses">
+      {isLoaded && saved.length === 0 && <p className="empty">{texts.poses.none}</p>}
+      <ul aria-label={texts.poses.saved}>
         {saved.map((pose) => (
           <PoseRow key={pose.name} pose={pose} refusal={refusal} />
         ))}
@@ -40,19 +41,19 @@ function PoseRow({ pose, refusal }: { readonly pose: TaughtPose; readonly refusa
       <div className="pose-row">
         <b>{pose.name}</b>
         <GoToPose hand={hand} pose={pose} refusal={refusal} />
-        <button type="button" className="plain is-small" aria-label={`Remove ${pose.name}`} aria-expanded={asks} disabled={cannot !== undefined} title={cannot} onClick={() => setAsks(!asks)}>
+        <button type="button" className="plain is-small" aria-label={texts.poses.remove(pose.name)} aria-expanded={asks} disabled={cannot !== undefined} title={cannot} onClick={() => setAsks(!asks)}>
           ✕
         </button>
       </div>
       {asks && (
         <p className="pose-ask">
-          <span>Tasks that use it will not find it.</span>
+          <span>{texts.poses.removing}</span>
           <button type="button" className="plain" onClick={() => void hand.poses.remove(pose.name).then(setProblem)}>
-            Remove {pose.name}
+            {texts.poses.remove(pose.name)}
           </button>
         </p>
       )}
-      {problem !== undefined && <p className="is-bad" role="alert">Not removed: {problem}.</p>}
+      {problem !== undefined && <p className="is-bad" role="alert">{texts.poses.notRemoved(problem)}</p>}
     </li>
   );
 }

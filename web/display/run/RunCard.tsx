@@ -5,9 +5,10 @@ import { activityOf, wordsOf } from "../../shared/pendant/activity";
 import { allowed, goesOnMeanwhile, isOver, primary, statusLook, statusText, type Command } from "../../shared/run/controls";
 import { interruptionText } from "../../shared/run/interruption";
 import { useRefusalOfCommand, useRefusalToStart, useSession } from "../client";
+import { texts } from "../texts";
 import { run } from "./runs";
 
-const kNames = { start: "Start", resume: "Go on", again: "Start again", pause: "Pause", stop: "End the task" } as const;
+const kNames = texts.run.commands;
 type Shown = keyof typeof kNames;
 
 export function RunCard({ core }: { readonly core: Core }) {
@@ -17,7 +18,7 @@ export function RunCard({ core }: { readonly core: Core }) {
   const first = primary(core);
   const shown: readonly Shown[] = [...(first === "start" || first === "resume" || first === "again" ? [first] : []), ...(["pause", "stop"] as const).filter((each) => commands.has(each))];
   return (
-    <section className="run-card" aria-label={`Run of ${core.document}`} data-status={statusLook(core)}>
+    <section className="run-card" aria-label={texts.run.name(core.document)} data-status={statusLook(core)}>
       <h2>{wordsOf(core.document)}</h2>
       <p className="run-status" role="status">
         {statusText(core)}
@@ -26,7 +27,7 @@ export function RunCard({ core }: { readonly core: Core }) {
         <p className="run-now">
           {activity.within.length > 0 && <small>{activity.within.join(" › ")}</small>}
           <strong>{activity.now}</strong>
-          {activity.others > 0 && <small>and {activity.others} more beside it</small>}
+          {activity.others > 0 && <small>{texts.run.beside(activity.others)}</small>}
         </p>
       )}
       <Why core={core} />
@@ -58,7 +59,7 @@ function CommandButton({ command, isFirst }: { readonly command: Shown; readonly
       <button type="button" className={isFirst ? "choice" : "plain"} disabled={starting || refusal !== undefined} title={refusal} onClick={() => run(command)}>
         {kNames[command]}
       </button>
-      {refusal !== undefined && <small className="soft">{kNames[command]}: {refusal}.</small>}
+      {refusal !== undefined && <small className="soft">{texts.run.refused(kNames[command], refusal)}</small>}
     </>
   );
 }

@@ -5,6 +5,7 @@ import { isOver, statusLook, statusText } from "../../shared/run/controls";
 import { watchedCore } from "../../shared/session/session";
 import { wordsOf } from "../../shared/pendant/activity";
 import { fetchWithControls, problem, robotSpeed, useRefusal, useSession, watch } from "../client";
+import { texts } from "../texts";
 import { RunCard } from "./RunCard";
 import { StartList } from "./StartList";
 
@@ -13,14 +14,14 @@ export function RunView() {
   const [mode, speed] = [useRefusal("set_mode"), useRefusal("set_speed")];
   return (
     <div className="run">
-      {core === undefined ? <p className="empty">No task runs. Start one below.</p> : <RunCard core={core} />}
+      {core === undefined ? <p className="empty">{texts.run.none}</p> : <RunCard core={core} />}
       <SpeedOverride speed={robotSpeed} refusal={speed} />
       <OtherRuns />
       <StartList />
-      <section aria-label="Mode">
-        <h2>Mode of the cell</h2>
+      <section aria-label={texts.run.mode}>
+        <h2>{texts.run.modeTitle}</h2>
         <ModeSwitch refusal={mode} fetcher={fetchWithControls} onProblem={problem} />
-        {mode !== undefined && <p className="soft">To change it: {mode}.</p>}
+        {mode !== undefined && <p className="soft">{texts.run.modeRefused(mode)}</p>}
       </section>
     </div>
   );
@@ -33,8 +34,8 @@ function OtherRuns() {
   const others = cores.filter((core) => core.id !== watched && !isOver(core));
   if (others.length === 0) return null;
   return (
-    <section aria-label="Other runs">
-      <h2>Other runs</h2>
+    <section aria-label={texts.run.others}>
+      <h2>{texts.run.others}</h2>
       <ul className="runs">
         {others.map((core) => (
           <li key={core.id}>

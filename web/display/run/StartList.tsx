@@ -6,6 +6,7 @@ import { isOwn } from "../../shared/control/texts";
 import { useIsMaking } from "../../page/starting";
 import { useStop } from "../../stop/useStop";
 import { useRefusalToStart, useSession } from "../client";
+import { texts } from "../texts";
 import { startDocument } from "./runs";
 import { supervise, useSupervised } from "../../control/supervised";
 
@@ -15,15 +16,15 @@ export function StartList() {
   const starting = useIsMaking();
   const shown = starters(documents, documents.length).filter((each) => errorCount(each) === 0);
   return (
-    <section aria-label="Start a task">
-      <h2>Start a task</h2>
+    <section aria-label={texts.start.title}>
+      <h2>{texts.start.title}</h2>
       <SupervisedBox />
-      {refusal !== undefined && <p className="soft">Not now: {refusal}.</p>}
-      {shown.length === 0 && <p className="empty">No task is stored yet: make one on the page of the tasks.</p>}
+      {refusal !== undefined && <p className="soft">{texts.start.refused(refusal)}</p>}
+      {shown.length === 0 && <p className="empty">{texts.start.none}</p>}
       <ul className="runs">
         {shown.map(({ name, doc }) => (
           <li key={name}>
-            <button type="button" className="plain" aria-label={`Start ${name}`} disabled={starting || refusal !== undefined} title={refusal} onClick={() => startDocument(name)}>
+            <button type="button" className="plain" aria-label={texts.start.start(name)} disabled={starting || refusal !== undefined} title={refusal} onClick={() => startDocument(name)}>
               <b>{wordsOf(name)}</b> {doc !== undefined && <small>{doc}</small>}
             </button>
           </li>
@@ -40,7 +41,7 @@ function SupervisedBox() {
   return (
     <label className="box">
       <input type="checkbox" checked={isMine && (on || isAlways)} disabled={!isMine || isAlways} onChange={(event) => supervise(event.target.checked)} />
-      <span>It moves only while I have the controls{isMine ? "" : " (take them first)"}</span>
+      <span>{isMine ? texts.start.supervised : texts.start.supervisedLater}</span>
     </label>
   );
 }

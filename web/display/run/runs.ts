@@ -7,6 +7,7 @@ import { watchedCore } from "../../shared/session/session";
 import { controls } from "../../control/page";
 import { isSamePress, makeOnce } from "../../page/starting";
 import { api, attempt, session, watch } from "../client";
+import { texts } from "../texts";
 import { isSupervised } from "../../control/supervised";
 
 /** Somebody who is not at the controls supervises nothing. */
@@ -37,7 +38,7 @@ export function startDocument(document: string): void {
   const begin = async () => {
     const entry = readExact(await api.documentText(document)) as unknown as { readonly document: ExactDocument };
     const missing = runParameters(entry.document).filter(({ initial }) => initial === undefined);
-    if (missing.length > 0) throw new Error(`${document} needs ${missing.map(({ name }) => name).join(", ")}: start it once on the expert page, then it can be started again here`);
+    if (missing.length > 0) throw new Error(texts.start.needs(document, missing.map(({ name }) => name).join(", ")));
     await make(document, {});
   };
   void makeOnce(() => attempt(begin));

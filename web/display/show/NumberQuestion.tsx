@@ -3,6 +3,7 @@ import { canAnswer, type DisplayPage } from "../../shared/display/page";
 import { limits, read, type Key } from "../../shared/display/numberText";
 import type { Question } from "../../generated/messages";
 import { answer, key as press } from "../client";
+import { texts } from "../texts";
 
 interface Props {
   readonly question: Extract<Question, { readonly number: unknown }>;
@@ -21,7 +22,7 @@ export function NumberQuestion({ question, page }: Props) {
   );
   return (
     <>
-      <output aria-label="Number" className="entry">
+      <output aria-label={texts.show.number} className="entry">
         {page.entry === "" ? <span className="soft">{limits(entry)}</span> : page.entry}
         {page.entry !== "" && entry.unit !== "" && <span className="unit">{entry.unit}</span>}
       </output>
@@ -30,16 +31,16 @@ export function NumberQuestion({ question, page }: Props) {
       </p>
       <div className="keypad">
         {kKeys.map((each) => key(each, each))}
-        {key(".", ".", "Point")}
+        {key(".", ".", texts.show.point)}
         {key("0", "0")}
-        {key("back", "⌫", "Delete")}
-        {entry.min < 0 && key("sign", "±", "Sign")}
+        {key("back", "⌫", texts.show.back)}
+        {entry.min < 0 && key("sign", "±", texts.show.sign)}
         <button
           className="choice"
           disabled={!canAnswer(page) || "problem" in outcome}
           onClick={() => "value" in outcome && answer(question.id, outcome.value)}
         >
-          OK
+          {texts.show.ok}
         </button>
       </div>
     </>

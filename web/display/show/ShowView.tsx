@@ -3,6 +3,7 @@ import { isWayOut } from "../../shared/display/answers";
 import { canAnswer, type DisplayPage } from "../../shared/display/page";
 import type { DisplayMessage, Question } from "../../generated/messages";
 import { answer, press, useDisplay } from "../client";
+import { texts } from "../texts";
 import { NumberQuestion } from "./NumberQuestion";
 import { ProgressView } from "./ProgressView";
 
@@ -23,14 +24,14 @@ function Idle({ name }: { readonly name: string }) {
   return (
     <div className="idle">
       <p className="idle-name">{name}</p>
-      <p>Tasks show messages and questions here. Below, you move the robot by hand and start tasks.</p>
+      <p>{texts.show.idle}</p>
     </div>
   );
 }
 
 function MessageView({ message, usable }: { readonly message: DisplayMessage; readonly usable: boolean }) {
   return (
-    <section aria-label="Message" className="message">
+    <section aria-label={texts.show.message} className="message">
       {message.image !== undefined && <img src={message.image} alt="" />}
       {message.text !== "" && <p className="text">{message.text}</p>}
       {message.progress !== undefined && <ProgressView text={message.text} progress={message.progress} />}
@@ -45,7 +46,7 @@ function MessageView({ message, usable }: { readonly message: DisplayMessage; re
 
 function QuestionView({ question, page }: { readonly question: Question; readonly page: DisplayPage }) {
   return (
-    <section aria-label="Question" className="question">
+    <section aria-label={texts.show.question} className="question">
       <h2 className="text">{question.text}</h2>
       {"number" in question ? (
         <NumberQuestion question={question} page={page} />

@@ -4,6 +4,7 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { describe, expect, it } from "vitest";
 import { en as control } from "../../control/texts/en";
+import { en as display } from "../../display/texts/en";
 import { en as one } from "../../one/texts/en";
 import { en as pairing } from "../../pairing/texts/en";
 import { en as stop } from "../../stop/texts/en";
@@ -21,6 +22,7 @@ interface Folder {
 }
 const kFolders: readonly Folder[] = [
   { name: "control", texts: control, files: 22 },
+  { name: "display", texts: display, files: 24, without: ["main.tsx"] },
   { name: "one", texts: one, files: 50, without: ["main.tsx"] },
   { name: "pairing", texts: pairing, files: 8 },
   { name: "stop", texts: stop, files: 6 },
