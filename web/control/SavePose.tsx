@@ -1,6 +1,6 @@
 // Saves where the arm is: under a name that is free, the one that is given, or one that a person writes; also in place of the pose of that name.
 import { useEffect, useId, useReducer, useState } from "react";
-import { applySaving, kFirstSaving, shownSaving } from "../shared/pendant/saving";
+import { applySaving, kFirstSaving, shownSaving, type ShownSaving } from "../shared/pendant/saving";
 import type { Hand } from "./hand";
 import { texts } from "./texts";
 
@@ -15,6 +15,21 @@ interface Props {
   readonly onSaved?: (name: string) => void;
 }
 
+function hintText(hint: ShownSaving["hint"], name: string): string {
+  switch (hint?.type) {
+    case undefined:
+      return "";
+    case "saved":
+      return texts.poses.saved(hint.name);
+    case "not_saved":
+      return texts.poses.notSaved(hint.why);
+    case "no_name":
+      return texts.poses.noName;
+    case "taken":
+      return texts.poses.replaces(name);
+  }
+}
+
 export function SavePose({ hand, stem, fixed, isNamed, onSaved }: Props) {
   const refusal = hand.useRefusal("call_service");
   const names = hand.usePoses((now) => now.names);
@@ -25,7 +40,7 @@ export function SavePose({ hand, stem, fixed, isNamed, onSaved }: Props) {
   const [saving, dispatch] = useReducer(applySaving, kFirstSaving);
   const [busy, setBusy] = useState(false);
   const id = useId();
-  const { name, isName, isTaken, label, hint, isBad } = shownSaving(saving, { names, stem, fixed, isNamed });
+  const { name, isName, isTaken, button, hint, isBad } = shownSaving(saving, { names, stem, fixed, isNamed });
   const save = async () => {
     setBusy(true);
     const why = await hand.poses.save(name, isTaken);
@@ -44,10 +59,10 @@ export function SavePose({ hand, stem, fixed, isNamed, onSaved }: Props) {
     >
       {isNamed && fixed === undefined && <input type="text" aria-label={texts.poses.name} aria-describedby={id} aria-invalid={!isName} maxLength={32} autoCapitalize="none" autoComplete="off" spellCheck={false} enterKeyHint="done" value={name} onChange={(event) => dispatch({ type: "written", entry: event.target.value })} />}
       <button type="submit" className={isNamed ? "plain" : "main"} disabled={!isName || busy || !isLoaded || refusal !== undefined} title={refusal}>
-        {busy ? texts.poses.saving : label}
+        {busy ? texts.poses.saving : texts.poses.button[button](name)}
       </button>
       <p id={id} role="status" className={isBad ? "is-bad" : ""}>
-        {hint}
+        {hintText(hint, name)}
       </p>
     </form>
   );

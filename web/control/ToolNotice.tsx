@@ -1,7 +1,7 @@
 // While the arm is moved by hand: its tool is another one than at first, or its service is gone.
 import { useState } from "react";
 import type { HostedService } from "../generated/messages";
-import { toolOf, toolWarning } from "../shared/control/tool";
+import { toolChange, toolOf } from "../shared/control/tool";
 import { texts } from "./texts";
 
 export function ToolNotice({ services }: { readonly services: readonly HostedService[] }) {
@@ -9,11 +9,11 @@ export function ToolNotice({ services }: { readonly services: readonly HostedSer
   const [first, setFirst] = useState(now);
   // The services may not be known at once.
   if (first === undefined && now !== undefined) setFirst(now);
-  const warning = toolWarning(first, services);
-  if (warning === undefined) return null;
+  const change = toolChange(first, services);
+  if (change === undefined) return null;
   return (
     <p className="tool-notice is-bad" role="alert">
-      {warning}{" "}
+      {change.kind === "gone" ? texts.tool.gone(change.before.key) : texts.tool.another(change.now.name, change.before.name)}{" "}
       {now !== undefined && (
         <button type="button" className="plain" onClick={() => setFirst(now)}>
           {texts.tool.read}

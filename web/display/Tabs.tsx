@@ -1,5 +1,5 @@
 // The way from one view to another, in the reach of a thumb.
-import { hashOf, kViewNames, kViews, placeOf, type PendantView } from "../shared/pendant/view";
+import { hashOf, kViews, placeOf, type PendantView } from "../shared/pendant/view";
 import { canAnswer } from "../shared/display/page";
 import { useDisplay } from "./client";
 import { texts } from "./texts";
@@ -17,7 +17,7 @@ export function Tabs({ view, name }: Props) {
     <nav className="tabs" aria-label={texts.frame.views(name)}>
       {kViews.map((each) => (
         <a key={each} href={hashOf({ view: each, part })} aria-current={each === view ? "page" : undefined}>
-          {kViewNames[each]}
+          {texts.frame.view[each]}
           {each === "show" && isAsked && <span className="mark" role="img" aria-label={texts.frame.waits} />}
         </a>
       ))}

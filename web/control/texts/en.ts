@@ -1,4 +1,4 @@
-// English: what a person reads or hears of the controls of the cell and of the robot that is moved by hand, besides shared/control and shared/pendant.
+// English: what a person reads or hears of the controls of the cell and of the robot that is moved by hand, besides shared/control.
 export const en = {
   /** What is to be done before the robot is moved. */
   before: {
@@ -84,6 +84,8 @@ export const en = {
     failed: (why: string) => `${why}.`,
   },
   tool: {
+    gone: (key: string) => `The gripper is not connected any more (${key}): it does not open or close from here. See whether it is switched on.`,
+    another: (now: string, before: string) => `Another gripper is at the arm: ${now} instead of ${before}. Poses that were taught with the other one may not fit: go there slowly.`,
     read: "I have read this",
   },
   poses: {
@@ -93,7 +95,17 @@ export const en = {
     save: "Save a pose",
     saveNamed: (name: string) => `Save ${name}`,
     name: "Name of the pose",
+    button: {
+      fixed: (name: string) => `Save “${name}” here`,
+      proposed: (name: string) => `Save as ${name}`,
+      replace: () => "Replace pose",
+      save: () => "Save pose",
+    },
     saving: "Saving…",
+    saved: (name: string) => `Saved as ${name}.`,
+    notSaved: (why: string) => `Not saved: ${why}. Try again.`,
+    noName: "A name has letters, digits, _ or -, at most 32.",
+    replaces: (name: string) => `${name} is there already: it will stand where the arm is now.`,
     taken: (name: string) => `${name} is there already`,
   },
   /** How fast the robot goes on its way. */

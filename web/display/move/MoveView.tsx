@@ -8,7 +8,7 @@ import { SavePose } from "../../control/SavePose";
 import { SpeedSlider } from "../../control/SpeedSlider";
 import { ToolNotice } from "../../control/ToolNotice";
 import { movableOf } from "../../shared/control/jog";
-import { kMovePartNames, kMoveParts } from "../../shared/pendant/view";
+import { kMoveParts } from "../../shared/pendant/view";
 import { useRefusal, useSession } from "../client";
 import { goTo, usePlace } from "../place";
 import { Asking, Problems } from "../Status";
@@ -44,7 +44,7 @@ export function MoveView() {
       <div className="parts" role="group" aria-label={texts.move.how}>
         {kMoveParts.map((each) => (
           <button key={each} type="button" aria-pressed={each === part} onClick={() => goTo({ part: each })}>
-            {kMovePartNames[each]}
+            {texts.move.parts[each]}
           </button>
         ))}
       </div>

@@ -5,6 +5,7 @@ export const en = {
     wrongName: "The name of a display has 1 to 32 letters, digits, “_” or “-”, and is not “all”.",
     /** Why something cannot be done now. */
     away: "the server is not there",
+    view: { show: "Show", move: "Move", run: "Run" },
     views: (name: string) => `Views of ${name}`,
     waits: "A question waits",
     connection: "Connection",
@@ -58,6 +59,7 @@ export const en = {
     title: "Move the robot by hand",
     nothing: "Nothing here can be moved by hand: no robot is connected to the server.",
     how: "How to move",
+    parts: { joints: "Joints", tool: "Tool", hand: "By hand", poses: "Poses" },
     refused: (why: string) => `Not moved: ${why}.`,
   },
   poses: {

@@ -17,11 +17,12 @@ export function toolOf(services: readonly Described[]): Tool | undefined {
   return key === undefined || name === undefined ? undefined : { key, name };
 }
 
-/** What is to be said; nothing: it is the tool `before`, or there was none. */
-export function toolWarning(before: Tool | undefined, services: readonly Described[]): string | undefined {
+export type ToolChange = { readonly kind: "gone"; readonly before: Tool } | { readonly kind: "another"; readonly before: Tool; readonly now: Tool };
+
+/** What has become of the tool `before`; nothing: it is there, or there was none. */
+export function toolChange(before: Tool | undefined, services: readonly Described[]): ToolChange | undefined {
   const now = toolOf(services);
   if (before === undefined) return undefined;
-  if (now === undefined) return `The gripper is not connected any more (${before.key}): it does not open or close from here. See whether it is switched on.`;
-  if (now.key === before.key && now.name === before.name) return undefined;
-  return `Another gripper is at the arm: ${now.name} instead of ${before.name}. Poses that were taught with the other one may not fit: go there slowly.`;
+  if (now === undefined) return { kind: "gone", before };
+  return now.key === before.key && now.name === before.name ? undefined : { kind: "another", before, now };
 }

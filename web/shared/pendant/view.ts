@@ -3,12 +3,10 @@
 export const kViews = ["show", "move", "run"] as const;
 /** `show`: what tasks say and ask; `move`: the robot is moved by hand; `run`: tasks are started and stopped. */
 export type PendantView = (typeof kViews)[number];
-export const kViewNames: Readonly<Record<PendantView, string>> = { show: "Show", move: "Move", run: "Run" };
 
 export const kMoveParts = ["joints", "tool", "hand", "poses"] as const;
 /** How the robot is moved: each joint, the tool along its axes, led by hand, to a taught pose. */
 export type MovePart = (typeof kMoveParts)[number];
-export const kMovePartNames: Readonly<Record<MovePart, string>> = { joints: "Joints", tool: "Tool", hand: "By hand", poses: "Poses" };
 
 export interface PendantPlace {
   readonly view: PendantView;
