@@ -5,7 +5,7 @@ import type { DisplayMessage, Question } from "../../generated/messages";
 import { answer, press, useDisplay } from "../client";
 import { texts } from "../texts";
 import { NumberQuestion } from "./NumberQuestion";
-import { ProgressView } from "./ProgressView";
+import { ProgressView } from "../../page/ProgressView";
 
 export function ShowView() {
   const page = useDisplay((now) => now);
@@ -34,7 +34,7 @@ function MessageView({ message, usable }: { readonly message: DisplayMessage; re
     <section aria-label={texts.show.message} className="message">
       {message.image !== undefined && <img src={message.image} alt="" />}
       {message.text !== "" && <p className="text">{message.text}</p>}
-      {message.progress !== undefined && <ProgressView text={message.text} progress={message.progress} />}
+      {message.progress !== undefined && <ProgressView name={message.text === "" ? texts.show.progress : message.text} progress={message.progress} />}
       {message.buttons.map((button) => (
         <button key={button} className="plain" disabled={!usable} onClick={() => press(button)}>
           {button}

@@ -48,7 +48,6 @@ export const en = {
     message: "Message",
     question: "Question",
     progress: "Progress",
-    percent: (percent: number) => `${percent} %`,
     number: "Number",
     point: "Point",
     back: "Delete",

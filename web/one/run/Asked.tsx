@@ -1,7 +1,7 @@
 // What the task shows to people, and the question that it asks: both are answered here.
 import { useId, useMemo, useState, type ReactNode } from "react";
 import type { Question } from "../../generated/messages";
-import { ProgressView } from "../../display/show/ProgressView";
+import { ProgressView } from "../../page/ProgressView";
 import { isWayOut } from "../../shared/display/answers";
 import { limits, read } from "../../shared/display/numberText";
 import { canAnswer } from "../../shared/display/page";
@@ -24,7 +24,7 @@ export function Asked({ children }: { readonly children?: ReactNode }) {
     <section className="asked" aria-label={texts.runView.says}>
       {message?.image !== undefined && <img src={message.image} alt="" />}
       {message !== undefined && message.text !== "" && <p className="said">{message.text}</p>}
-      {message?.progress !== undefined && <ProgressView text={message.text} progress={message.progress} />}
+      {message?.progress !== undefined && <ProgressView name={message.text === "" ? texts.runView.progressOf : message.text} progress={message.progress} />}
       {message !== undefined && message.buttons.length > 0 && (
         <div className="buttons">
           {message.buttons.map((button) => (

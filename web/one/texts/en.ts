@@ -236,6 +236,7 @@ export const en = {
     outcome: (port: string) => `It ended at “${port}”.`,
     says: "The task says",
     question: "Question",
+    progressOf: "Progress",
     answer: "Answer",
     untilNow: "Runs until now",
     ofAll: (count: number) => (count === 1 ? "Of 1 run" : `Of all ${count} runs`),
