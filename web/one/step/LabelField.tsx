@@ -2,7 +2,7 @@
 import type { ExactJson } from "../../shared/edit/exact";
 import { Chips } from "./Chips";
 import { useLabels } from "./known";
-import { Sight } from "./Sight";
+import { SightFrame } from "./SightFrame";
 import { TextField } from "./TextField";
 import { TextsField } from "./TextsField";
 
@@ -20,9 +20,9 @@ export function LabelField({ step, value, ...common }: Common & { readonly value
   const { id, disabled, set } = common;
   return (
     <div className="texts">
-      <Sight labels={labels}>
+      <SightFrame labels={labels}>
         <Chips texts={labels.seen} chosen={[value]} disabled={disabled} onChange={set} oneOf={`seen-${id}`} />
-      </Sight>
+      </SightFrame>
       <TextField {...common} value={value} isLong={false} known={[...labels.seen, ...labels.others]} />
     </div>
   );
@@ -31,6 +31,6 @@ export function LabelField({ step, value, ...common }: Common & { readonly value
 export function LabelsField({ step, values, ...common }: Common & { readonly values: readonly string[] }) {
   const labels = useLabels(step);
   return (
-    <TextsField {...common} values={values} known={labels.others} apart={{ texts: labels.seen, frame: (chips) => <Sight labels={labels}>{chips}</Sight> }} />
+    <TextsField {...common} values={values} known={labels.others} apart={{ texts: labels.seen, frame: (chips) => <SightFrame labels={labels}>{chips}</SightFrame> }} />
   );
 }

@@ -12,7 +12,7 @@ function told({ isLooking, problem, seen }: Labels): string {
 }
 
 /** `children`: the choices that are seen. */
-export function Sight({ labels, children }: { readonly labels: Labels; readonly children: ReactNode }) {
+export function SightFrame({ labels, children }: { readonly labels: Labels; readonly children: ReactNode }) {
   return (
     <div className="sight" role="group" aria-label={t.seen}>
       <p role="status">{told(labels)}</p>
