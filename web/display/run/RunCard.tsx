@@ -2,7 +2,7 @@
 import type { Core } from "../../generated/messages";
 import { useIsMaking } from "../../page/starting";
 import { activityOf, wordsOf } from "../../shared/pendant/activity";
-import { allowed, goesOnMeanwhile, isOver, primary, statusLook, statusText, type Command } from "../../shared/run/controls";
+import { allowed, isHeld, isOver, primary, statusLook, statusText, type Command } from "../../shared/run/controls";
 import { interruptionText } from "../../shared/run/interruption";
 import { useRefusalOfCommand, useRefusalToStart, useSession } from "../client";
 import { texts } from "../texts";
@@ -43,10 +43,9 @@ export function RunCard({ core }: { readonly core: Core }) {
 /** Why it stands, in words. */
 function Why({ core }: { readonly core: Core }) {
   const interrupted = interruptionText(core);
-  const paused = goesOnMeanwhile(core);
   if (interrupted !== undefined) return <p className="soft">{interrupted.happened ?? interrupted.title}</p>;
   if (core.status === "faulted") return <p className="is-bad">{core.fault?.message}</p>;
-  return paused === undefined ? null : <p className="soft">{paused}</p>;
+  return isHeld(core) ? <p className="soft">{texts.run.whilePaused}</p> : null;
 }
 
 function CommandButton({ command, isFirst }: { readonly command: Shown; readonly isFirst: boolean }) {

@@ -1,11 +1,11 @@
 // What tasks show on this display, and ask.
+import { ProgressView } from "../../page/ProgressView";
 import { isWayOut } from "../../shared/display/answers";
 import { canAnswer, type DisplayPage } from "../../shared/display/page";
 import type { DisplayMessage, Question } from "../../generated/messages";
 import { answer, press, useDisplay } from "../client";
 import { texts } from "../texts";
 import { NumberQuestion } from "./NumberQuestion";
-import { ProgressView } from "../../page/ProgressView";
 
 export function ShowView() {
   const page = useDisplay((now) => now);

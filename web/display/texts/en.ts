@@ -73,6 +73,7 @@ export const en = {
   run: {
     name: (document: string) => `Run of ${document}`,
     none: "No task runs. Start one below.",
+    whilePaused: "The arm finishes the motion it has begun; STOP stops it at once.",
     others: "Other runs",
     beside: (count: number) => `and ${count} more beside it`,
     commands: { start: "Start", resume: "Go on", again: "Start again", pause: "Pause", stop: "End the task" },
