@@ -1,7 +1,6 @@
 #include "server/channels/channels.h"
 
 #include <array>
-#include <memory>
 
 #include "core/rcm/ids.h"
 #include "server/wire/channel_names.h"
@@ -68,26 +67,26 @@ MaybeSource presence(const Parameters& parameters, const Sources& sources) {
   return Source{false, [name, &presence = sources.presence] { presence.publish_snapshot(name); }, {}};
 }
 
-// Calls `function` with the core while it exists: a channel keeps no core alive.
+// Calls `function` with the core that has the id now: it is another one once a model or arguments are loaded into it.
 template <typename F>
-auto on_core(const std::weak_ptr<Core>& core, F function) {
-  return [core, function](auto... arguments) {
-    if (const auto alive = core.lock()) function(*alive, arguments...);
+auto on_core(const Cores& cores, const std::string& id, F function) {
+  return [&cores, id, function](auto... arguments) {
+    if (const auto core = cores.find(id)) function(**core, arguments...);
   };
 }
 
 MaybeSource core_state(const Parameters& parameters, const Sources& sources) {
-  const auto core = sources.cores.find(parameters.at("id"));
-  if (!core) return std::nullopt;
-  return Source{false, on_core(*core, [](Core& alive) { alive.watch_state(); }), {}};
+  const std::string& id = parameters.at("id");
+  if (!sources.cores.find(id)) return std::nullopt;
+  return Source{false, on_core(sources.cores, id, [](Core& core) { core.watch_state(); }), {}};
 }
 
 MaybeSource core_derivation(const Parameters& parameters, const Sources& sources) {
-  const auto core = sources.cores.find(parameters.at("id"));
-  if (!core) return std::nullopt;
-  return Source{false, on_core(*core, [](Core& alive) { alive.watch_derivation(true); }),
-                on_core(*core, [](Core& alive, bool on) {
-                  if (!on) alive.watch_derivation(false);
+  const std::string& id = parameters.at("id");
+  if (!sources.cores.find(id)) return std::nullopt;
+  return Source{false, on_core(sources.cores, id, [](Core& core) { core.watch_derivation(true); }),
+                on_core(sources.cores, id, [](Core& core, bool on) {
+                  if (!on) core.watch_derivation(false);
                 })};
 }
 

@@ -63,6 +63,18 @@ class StreamTest(unittest.TestCase):
         calls = [call["operation"] for delta in deltas for call in delta["data"]["calls"]]
         self.assertEqual(calls, ["add", "get"])
 
+    def test_a_core_that_others_have_started_with_new_arguments_is_shown_to_who_comes_then(self):
+        core = self.server.core(models.storing("anew"), {"value": 1}, start=False)
+        with self.server.stream() as before, self.server.stream() as after:
+            for channel in ("state", "derivation"):
+                before.subscribe(f"core/{core}/{channel}")
+                before.message()
+            self.server.post(f"/cores/{core}/start", {"arguments": {"value": 2}}, "core")
+            self.server.wait(core, lambda c: c["status"] == "ended")
+            for channel in ("state", "derivation"):
+                after.subscribe(f"core/{core}/{channel}")
+                self.assertEqual(after.message()["kind"], "snapshot", channel)
+
     def test_a_client_that_reconnects_gets_what_it_missed(self):
         core = self.server.core(models.ticking("missed", last=100000))
         channel = f"core/{core}/state"
