@@ -1,0 +1,84 @@
+"""The asyncio client: who asks which server, and what it offers."""
+import os
+from types import TracebackType
+from typing import TypeVar
+
+from .. import calls
+from ..address import Address, checked_token
+from ..call import Call
+from ..messages import Control, Empty, Health, LoginAnswer, Me
+from .cores import AsyncCores
+from .documents import AsyncDocuments
+from .following import AsyncFollowing
+from .http import AsyncHttp
+from .runs import AsyncRuns
+from .services import AsyncServices
+
+Answered = TypeVar("Answered")
+
+
+class AsyncClient:
+    """A client of one server. `documents`, `cores`, `runs` and `services` have what is asked most; `send` sends any other route of `calls`.
+
+    `url`: `http://127.0.0.1:8080`, or `https://HOST:PORT` of another machine. `token`: of an account (`race account token`), or by
+    `log_in`; a server without accounts needs none. `ca_file`: the authority of an https server (`tls/ca.pem` of its data folder).
+    `timeout`: seconds for each answer. ValueError: one of these can be none. Nothing is connected before the first request.
+    Close it, or use it as a context manager. What refuses a request, or keeps its answer away, is a RaceError.
+    """
+
+    def __init__(self, url: str = "http://127.0.0.1:8080", *, token: str | None = None, ca_file: str | os.PathLike[str] | None = None,
+                 timeout: float = 20.0) -> None:
+        self._address = Address.parse(url, ca_file)
+        self._token = checked_token(token)
+        self._timeout = timeout
+        self._http = AsyncHttp(self._address)
+        self.documents = AsyncDocuments(self)
+        self.cores = AsyncCores(self)
+        self.runs = AsyncRuns(self)
+        self.services = AsyncServices(self)
+
+    async def __aenter__(self) -> "AsyncClient":
+        return self
+
+    async def __aexit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+        await self.close()
+
+    async def close(self) -> None:
+        """Closes the connections that are kept for further requests."""
+        self._http.close()
+
+    async def send(self, call: Call[Answered], *, timeout: float | None = None) -> Answered:
+        """The answer to a request of `calls`, within `timeout` seconds (else those of the client). RaceError: refused, or no answer."""
+        return call.read(await self._http.ask(call, self._token, self._timeout if timeout is None else timeout))
+
+    def follow(self, core: str, *, quiet: float | None = None, patience: float = 60.0, capacity: int = 1000) -> AsyncFollowing:
+        """As `cores.follow`."""
+        return AsyncFollowing(self._address, self._token, core, timeout=self._timeout, quiet=quiet, patience=patience, capacity=capacity)
+
+    async def log_in(self, name: str, password: str) -> LoginAnswer:
+        """Asks as this account from now on, for twelve hours at most. RaceError 401 `login`: no such name and password; 429 `attempts`."""
+        answer = await self.send(calls.log_in({"name": name, "password": password}))
+        self._token = checked_token(answer["token"])
+        return answer
+
+    async def log_out(self) -> Empty:
+        """Ends the token; the server knows this client no more."""
+        answer = await self.send(calls.log_out())
+        self._token = None
+        return answer
+
+    async def me(self) -> Me:
+        """Who asks: `name` and `role` of the account, if the server has `accounts`."""
+        return await self.send(calls.get_me())
+
+    async def health(self) -> Health:
+        """The server answers: `version`, `time` [s] of its clock, whether it has a `cell`."""
+        return await self.send(calls.get_health())
+
+    async def stop_cell(self) -> Control:
+        """Stops everything that moves, and all runs, until `reset_stop`. Needs no account. This is not a safety function."""
+        return await self.send(calls.stop_cell())
+
+    async def reset_stop(self) -> Control:
+        """Motions may begin again; none does by this."""
+        return await self.send(calls.reset_stop())

@@ -1,0 +1,2 @@
+# Made from ../aio/__init__.py by generate/main.py.
+"""The plain client: `Client` of client.py, and what it is made of."""
