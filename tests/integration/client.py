@@ -59,11 +59,11 @@ class Server:
 
     token = None  # of an account, which every request has
 
-    def __init__(self, *options, data=None, program=None, stderr=None, under=()):
-        """`under`: words of a command that starts it, in the same process, as `strace -D`."""
+    def __init__(self, *options, data=None, program=None, stderr=None, under=(), port=0):
+        """`under`: words of a command that starts it, in the same process, as `strace -D`. `port`: 0 is a free one."""
         self.own = data is None
         self.data = data or tempfile.mkdtemp(prefix="race-test-")
-        command = [program, self.data, *options] if program else [PROGRAM, "serve", "--port", "0", "--data", self.data, *options]
+        command = [program, self.data, *options] if program else [PROGRAM, "serve", "--port", str(port), "--data", self.data, *options]
         self.process = subprocess.Popen([*under, *command], stdout=subprocess.PIPE, stderr=stderr, text=True)
         line = self.process.stdout.readline()
         match = re.search(r":(\d+)$", line.strip())
