@@ -11,7 +11,8 @@ export interface Coming {
 /** The server tells `page` from now on that the robot has the speed of the result; a run that is made lets the page ask for it. */
 export async function slowRobot(fixture: Fixture, page: Page, document: string): Promise<Coming> {
   let share = 1;
-  await page.route(/\/api\/v1\/services\/robot\/calls$/, async (route) => {
+  const told = /\/api\/v1\/services\/robot\/calls$/;
+  await page.route(told, async (route) => {
     const response = await route.fetch();
     const json = (await response.json()) as { readonly result?: { readonly speed_override?: number } };
     if (json.result?.speed_override === undefined) await route.fulfill({ response });
@@ -31,6 +32,7 @@ export async function slowRobot(fixture: Fixture, page: Page, document: string):
     goes: async () => {
       await tell(1);
       await sign.waitFor({ state: "detached" });
+      await page.unroute(told);
     },
   };
 }
