@@ -69,7 +69,7 @@ void ObjectRecognition::stop_looking(const services::Call& call) {
 }
 
 void ObjectRecognition::look(const services::Call& call) {
-  looks_.push_back({call.id, host().now() + kPictureTime});
+  looks_.push_back({call.id, host().now()});
   subscribe();
 }
 
@@ -112,7 +112,7 @@ void ObjectRecognition::abandoned(services::CallId call) {
 void ObjectRecognition::step() {
   if (busy_ || looks_.empty()) return;
   const services::Time now = host().now();
-  while (!looks_.empty() && looks_.front().deadline <= now) {
+  while (!looks_.empty() && looks_.front().asked + kPictureTime <= now) {
     const services::CallId late = looks_.front().call;
     looks_.pop_front();
     end_look(late);
@@ -141,9 +141,11 @@ void ObjectRecognition::report(services::Time time, const std::vector<Detection>
   for (const Detection& detection : detections) objects.push_back(to_value(detection));
   const Value seen = Dict{{"time", time}, {"objects", std::move(objects)}};
   if (started_) host().event("recognized_objects", seen);
-  for (const Look& each : std::exchange(looks_, {})) {
-    end_look(each.call);
-    host().result(each.call, seen);
+  while (!looks_.empty() && looks_.front().asked <= time) {
+    const services::CallId call = looks_.front().call;
+    looks_.pop_front();
+    end_look(call);
+    host().result(call, seen);
   }
   unsubscribe_if_unwanted();
 }

@@ -34,7 +34,7 @@ class ObjectRecognition final : public services::TableComponent {
   /// A call of `look` that waits for what a picture shows.
   struct Look {
     services::CallId call = 0;
-    services::Time deadline = 0;  // of the picture
+    services::Time asked = 0;  // a picture that was taken before is none for it
   };
   void start(const services::Call& call, const Dict& arguments);
   void stop_looking(const services::Call& call);
@@ -54,7 +54,7 @@ class ObjectRecognition final : public services::TableComponent {
   const Recognizer recognizer_;
   bool started_ = false;
   std::vector<std::string> labels_;  // that the last start asks for
-  std::deque<Look> looks_;           // in the order of their deadlines
+  std::deque<Look> looks_;           // in the order in which they were asked
   std::uint64_t session_ = 0;        // counts starts and stops: an answer of an earlier one is dropped
   bool busy_ = false;
   std::unique_ptr<services::Worker> worker_;

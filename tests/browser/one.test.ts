@@ -455,6 +455,27 @@ describe("the buttons that move the arm", () => {
     await person.getByText("Execution mode").waitFor();
     await person.context().close();
   });
+
+  it("leave the sign of a slow robot in sight when they are folded away, on a tablet", async () => {
+    const tablet = await (await fixture.openContext({ viewport: { width: 820, height: 1180 }, hasTouch: true, reducedMotion: "reduce" })).newPage();
+    tablet.setDefaultTimeout(20_000);
+    await tablet.goto(`${fixture.url}/one/?edit=sort-parts`);
+    await card("Move to", tablet).tap();
+    await panel(tablet).getByRole("button", { name: "Teach here" }).tap();
+    await panel(tablet).getByRole("button", { name: "Up, tool along Z plus, while held", exact: true }).waitFor();
+    const slow = await slowRobot(fixture, tablet, "sort-parts");
+    await slow.comes();
+    const sign = tablet.locator(".speed-sign");
+    await panel(tablet).locator(".speed-sign").waitFor();
+    await panel(tablet).getByRole("button", { name: "Close the settings" }).tap();
+    await expect.poll(() => panel(tablet).isVisible()).toBe(false);
+    await sign.waitFor();
+    expect(await sign.isVisible()).toBe(true);
+    await card("Move to", tablet).tap();
+    await panel(tablet).locator(".speed-sign").waitFor();
+    await slow.goes();
+    await tablet.context().close();
+  });
 });
 
 describe("what a task shows and asks", () => {

@@ -5,15 +5,26 @@ import { createStore, useSelected } from "../page/store";
 
 const place = createStore<HTMLElement | undefined, HTMLElement | undefined>(undefined, (_, next) => next);
 
-/** Where the line of the controls puts what comes by itself; nothing: it keeps that. */
+/** Where the line of the controls puts what comes by itself; nothing: it keeps that, as there are no such notes, or they are folded away. */
 export const useNotesPlace = (): HTMLElement | undefined => useSelected(place, (now) => now);
 
-function lend(element: HTMLElement | null): () => void {
-  place.dispatch(element ?? undefined);
+/** `bar`: within the notes, which have their height even if they are empty, but none where they are not drawn. */
+function lend(bar: HTMLElement): () => void {
+  const notes = bar.closest<HTMLElement>(".hand-notes") ?? bar;
+  const take = () => {
+    if (place.get() === bar) place.dispatch(undefined);
+  };
+  const look = () => (notes.offsetHeight > 0 ? place.dispatch(bar) : take());
+  look();
+  const watch = new ResizeObserver(look);
+  watch.observe(notes);
   return () => {
-    if (place.get() === element) place.dispatch(undefined);
+    watch.disconnect();
+    take();
   };
 }
+
+const lent = (bar: HTMLElement | null): (() => void) | undefined => (bar === null ? undefined : lend(bar));
 
 interface Props {
   /** Why nothing moves; empty: nothing is in the way. */
@@ -29,7 +40,7 @@ export function HandNotes({ said, children }: Props) {
           {said}
         </p>
         {children}
-        <div ref={lend} className="hand-bar" />
+        <div ref={lent} className="hand-bar" />
       </div>
     </div>
   );

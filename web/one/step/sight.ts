@@ -14,6 +14,17 @@ export interface SightState {
   readonly problem: string | undefined;
 }
 
+/** So long the camera may look [ms]; its service has given up by then. */
+const kPatience = 15_000;
+
+/** Rejects if it takes too long. */
+function inTime<T>(answer: Promise<T>): Promise<T> {
+  return new Promise((resolve, reject) => {
+    const timer = setTimeout(() => reject(new Error("it does not answer")), kPatience);
+    answer.then(resolve, reject).finally(() => clearTimeout(timer));
+  });
+}
+
 /** `call`: an operation of a service, which reads. */
 export function createSight(call: (service: string, operation: string) => Promise<JsonValue>) {
   const store = createStore<SightState, Partial<SightState>>({ isLooking: false, seen: undefined, known: [], problem: undefined }, (now, change) => ({ ...now, ...change }));
@@ -25,7 +36,7 @@ export function createSight(call: (service: string, operation: string) => Promis
       () => undefined,
     );
   const askSight = (service: string): Promise<void> =>
-    call(service, "look").then(
+    inTime(call(service, "look")).then(
       (response) => store.dispatch({ seen: labelsSeen(response), problem: undefined, isLooking: false }),
       (error: unknown) => store.dispatch({ seen: undefined, problem: messageOf(error), isLooking: false }),
     );

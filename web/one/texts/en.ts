@@ -185,7 +185,7 @@ export const en = {
   sight: {
     seen: "Seen now",
     looking: "The camera looks…",
-    nothing: "The camera sees no part that it knows.",
+    nothing: "The camera sees none of the parts that it looks for now.",
     unknown: (why: string) => `It is not known what the camera sees: ${why.replace(/\.$/, "")}.`,
     notAsked: (why: string) => `The camera is not asked what it sees: ${why}.`,
     noCamera: "No camera is there that says what it sees.",

@@ -153,6 +153,23 @@ TEST(ObjectRecognition, AnswersEachOfSeveralLooksByItself) {
   EXPECT_THAT(fixture.bench.violations("obj_rec"), IsEmpty());
 }
 
+TEST(ObjectRecognition, AnswersALookWithAPictureThatWasTakenAfterIt) {
+  Fixture fixture;
+  fixture.bench.call("obj_rec", "start");
+  for (int i = 0; i < 8; ++i) {
+    fixture.bench.pass(0.06);  // at any moment of the picture that is being processed
+    const double asked = fixture.bench.milliseconds / 1000.0;
+    fixture.bench.deliveries.clear();
+    fixture.bench.call("obj_rec", "look");
+    fixture.bench.pass(0.6);
+    ASSERT_EQ(fixture.looks().size(), 1U);
+    for (const auto& delivery : fixture.bench.deliveries) {
+      if (delivery.name != "look") continue;
+      EXPECT_GE(delivery.data.find("time")->to_double(), asked);
+    }
+  }
+}
+
 TEST(ObjectRecognition, EndsALookWhenItIsStartedOrStopped) {
   for (const char* operation : {"start", "stop"}) {
     Fixture fixture;
