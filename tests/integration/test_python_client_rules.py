@@ -151,6 +151,14 @@ class Answers(unittest.TestCase):
             self.assertEqual(caught.exception.code, code)
 
 
+class Addresses(unittest.TestCase):
+    def test_a_file_of_an_authority_that_cannot_be_used_is_named(self):
+        for file, why in (("/nowhere/ca.pem", "No such file or directory"), (__file__, "no certificate of an authority")):
+            for connect in KINDS.values():
+                with self.assertRaisesRegex(ValueError, f"^{file} .*{why}"):
+                    connect("https://127.0.0.1", ca_file=file)
+
+
 class FakeServer:
     """Answers each connection with these bytes, and then says nothing."""
 

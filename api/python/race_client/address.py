@@ -60,6 +60,8 @@ def tls_context(ca_file: str | os.PathLike[str] | None) -> ssl.SSLContext:
         return ssl.create_default_context(cafile=ca_file)
     except ssl.SSLError:
         raise ValueError(f"{os.fspath(ca_file or '')} has no certificate of an authority") from None
+    except OSError as error:
+        raise ValueError(f"{os.fspath(ca_file or '')} cannot be read: {error.strerror or error}") from None
 
 
 def checked_token(token: str | None) -> str | None:
