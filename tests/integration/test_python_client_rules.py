@@ -1,12 +1,16 @@
 """What the Python client library decides without a server: folding, gaps, bounds, errors; and that what is generated is up to date."""
 import inspect
 import json
+import os
+import resource
+import select
 import socket
 import ssl
 import subprocess
 import sys
 import threading
 import unittest
+from unittest import mock
 
 import yaml
 
@@ -159,8 +163,12 @@ class Addresses(unittest.TestCase):
                     connect("https://127.0.0.1", ca_file=file)
 
 
+ONE = b"HTTP/1.1 200 OK\r\nContent-Length: 2\r\n\r\n{}"
+CLOSE = b""  # instead of an answer: the connection is closed
+
+
 class FakeServer:
-    """Answers each connection with these bytes, and then says nothing."""
+    """Answers each connection with these bytes, or its requests with each of a tuple of them, and then says nothing."""
 
     def __init__(self, *answers):
         self.listener = socket.create_server(("127.0.0.1", 0))
@@ -169,13 +177,14 @@ class FakeServer:
         threading.Thread(target=self.run, args=(answers,), daemon=True).start()
 
     def run(self, answers):
-        for answer in answers:
+        for each in answers:
             connection, _ = self.listener.accept()
             self.kept.append(connection)
-            self.asked.append(connection.recv(65536))
-            connection.sendall(answer)
-            if b"Connection: close" in answer:
-                connection.close()
+            for answer in each if isinstance(each, tuple) else (each,):
+                self.asked.append(connection.recv(65536))
+                connection.sendall(answer)
+                if answer == CLOSE or b"Connection: close" in answer:
+                    connection.close()
 
     def close(self):
         for each in (self.listener, *self.kept):
@@ -209,15 +218,45 @@ class FakeServers(unittest.TestCase):
                 client.close()
 
     def test_a_request_that_changes_something_is_sent_once_over_a_connection_that_ended(self):
-        one = b"HTTP/1.1 200 OK\r\nContent-Length: 2\r\n\r\n{}"
         for connect in KINDS.values():
-            server = self.serve(one, one)
+            server = self.serve(ONE, ONE)
             client = connect(server.address, timeout=5)
             self.assertEqual(client.health(), {})
             server.kept[0].close()
             self.assertEqual(client.send(Call("POST", "/api/v1/stop")), {}, "over a new connection")
             self.assertEqual([each.split(b" ")[0] for each in server.asked], [b"GET", b"POST"])
             client.close()
+
+    def many_files(self):
+        """From now on, sockets have larger numbers than `select` takes."""
+        soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+        self.assertGreater(hard, 1500)
+        resource.setrlimit(resource.RLIMIT_NOFILE, (max(soft, 1500), hard))
+        self.addCleanup(resource.setrlimit, resource.RLIMIT_NOFILE, (soft, hard))
+        null = os.open(os.devnull, os.O_RDONLY)
+        self.addCleanup(os.close, null)
+        while (more := os.dup(null)) < 1024:
+            self.addCleanup(os.close, more)
+        self.addCleanup(os.close, more)
+
+    def test_a_program_with_many_files_keeps_its_connections(self):
+        self.many_files()
+        for connect in KINDS.values():
+            server = self.serve((ONE, ONE))
+            client = connect(server.address, timeout=5)
+            self.assertEqual([client.health(), client.health()], [{}, {}])
+            client.close()
+
+    def test_a_connection_that_cannot_be_looked_at_is_closed(self):
+        self.many_files()
+        server = self.serve(ONE, ONE)
+        client = race_client.Client(server.address, timeout=5)
+        with mock.patch.object(select, "poll"):
+            del select.poll
+            self.assertEqual([client.health(), client.health()], [{}, {}], "over a new connection")
+        server.kept[0].settimeout(5)
+        self.assertEqual(server.kept[0].recv(1), b"")
+        client.close()
 
     def test_a_server_that_falls_silent_is_lost(self):
         self.addCleanup(setattr, websocket, "SILENCE", websocket.SILENCE)

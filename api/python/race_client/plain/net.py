@@ -42,10 +42,22 @@ class Connection:
 
     def is_stale(self) -> bool:
         """Whether nothing can be asked over it: it has ended meanwhile, or something came that nobody has asked for."""
-        return bool(select.select([self._socket], [], [], 0)[0])
+        try:
+            return has_input(self._socket)
+        except (OSError, ValueError):
+            return True  # nobody knows
 
     def close(self) -> None:
         self._socket.close()
+
+
+def has_input(connected: socket.socket) -> bool:
+    """Whether reading would not wait. ValueError: there is no `poll` here, and too many files are open for `select`."""
+    if not hasattr(select, "poll"):
+        return bool(select.select([connected], [], [], 0)[0])
+    poll = select.poll()
+    poll.register(connected, select.POLLIN)
+    return bool(poll.poll(0))
 
 
 class Signal:
