@@ -227,6 +227,17 @@ class FakeServers(unittest.TestCase):
             self.assertEqual([each.split(b" ")[0] for each in server.asked], [b"GET", b"POST"])
             client.close()
 
+    def test_what_may_have_been_done_is_not_sent_again_and_what_only_reads_is(self):
+        for connect in KINDS.values():
+            server = self.serve((ONE, CLOSE), (ONE, CLOSE), ONE)
+            client = connect(server.address, timeout=5)
+            self.assertEqual([client.health(), client.health()], [{}, {}], "asked again over a new connection")
+            with self.assertRaises(RaceError) as caught:
+                client.send(Call("POST", "/api/v1/cores/1/start"))
+            self.assertEqual((caught.exception.code, caught.exception.may_be_done), ("connection", True))
+            self.assertEqual([each.split(b" ")[0] for each in server.asked], [b"GET", b"GET", b"GET", b"POST"])
+            client.close()
+
     def many_files(self):
         """From now on, sockets have larger numbers than `select` takes."""
         soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
