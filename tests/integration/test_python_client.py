@@ -324,7 +324,7 @@ class Restarted:
     def unreached(self, race):
         """The message of a client without a server; it shows nothing of the libraries below."""
         error = self.refused(0, "connection", race.health)
-        self.assertTrue(error.may_be_done)
+        self.assertFalse(error.may_be_done)
         self.assertTrue(error.__cause__ is None and error.__suppress_context__)
         return str(error)
 

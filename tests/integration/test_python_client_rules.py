@@ -20,9 +20,10 @@ from race_client import calls
 from race_client.address import Address
 from race_client.aio.client import AsyncClient
 from race_client.call import Answer, Call
-from race_client.errors import RaceError, socket_errors
+from race_client.errors import RaceError, failure, socket_errors
 from race_client.fold import fold
 from race_client.plain import websocket
+from race_client.plain.sender import send_twice
 from race_client.updates import CoreUpdates
 
 EMPTY = {"active": [], "ports": [], "activated": {}, "parameters": {}, "results": {}, "variables": {}}
@@ -148,11 +149,40 @@ class Answers(unittest.TestCase):
             self.assertEqual(self.read(200, body).code, "protocol")
 
     def test_failures_of_sockets_are_told_apart(self):
-        for failure, code in ((TimeoutError(), "timeout"), (ConnectionResetError(), "connection"),
-                              (socket.gaierror(-2, "unknown"), "connection"), (ssl.SSLError(1, "no TLS"), "connection")):
+        for error, code in ((TimeoutError(), "timeout"), (ConnectionResetError(), "connection"),
+                            (socket.gaierror(-2, "unknown"), "connection"), (ssl.SSLError(1, "no TLS"), "connection")):
             with self.assertRaises(RaceError) as caught, socket_errors("http://x"):
-                raise failure
+                raise error
             self.assertEqual(caught.exception.code, code)
+
+
+class Sender:
+    """Fails with one error after the other."""
+
+    def __init__(self, *errors):
+        self.errors = list(errors)
+
+    def send(self, call):
+        raise self.errors.pop(0)
+
+
+class SentTwice(unittest.TestCase):
+    def failed(self, *errors):
+        sender = Sender(*errors)
+        with self.assertRaises(RaceError) as caught:
+            send_twice(sender, Call("POST", "/api/v1/cores"))
+        return caught.exception, len(sender.errors)
+
+    def test_what_was_not_sent_is_not_sent_again(self):
+        refused = failure("connection", "refused", is_sent=False)
+        self.assertEqual(self.failed(refused, failure("timeout", "late")), (refused, 1))
+        self.assertFalse(refused.may_be_done)
+
+    def test_what_was_sent_once_may_be_done_whatever_becomes_of_the_second_time(self):
+        for code, is_sent in (("timeout", True), ("connection", False), ("certificate", False)):
+            last = failure(code, "last", is_sent=is_sent)
+            self.assertEqual(self.failed(failure("connection", "ended"), last), (last, 0))
+            self.assertTrue(last.may_be_done)
 
 
 class Addresses(unittest.TestCase):
@@ -237,6 +267,20 @@ class FakeServers(unittest.TestCase):
             self.assertEqual((caught.exception.code, caught.exception.may_be_done), ("connection", True))
             self.assertEqual([each.split(b" ")[0] for each in server.asked], [b"GET", b"GET", b"GET", b"POST"])
             client.close()
+
+    def test_what_was_never_sent_is_known_not_to_be_done(self):
+        gone, silent = (socket.create_server(("127.0.0.1", 0)) for _ in range(2))
+        self.addCleanup(silent.close)
+        gone_port, silent_port = gone.getsockname()[1], silent.getsockname()[1]
+        gone.close()
+        for connect in KINDS.values():
+            for address, code in ((f"http://127.0.0.1:{gone_port}", "connection"), (f"https://127.0.0.1:{silent_port}", "timeout")):
+                client = connect(address, timeout=0.3)
+                for ask in (lambda: client.cores.start("1"), client.cores.follow("1").__enter__):
+                    with self.assertRaises(RaceError) as caught:
+                        ask()
+                    self.assertEqual((caught.exception.code, caught.exception.may_be_done), (code, False))
+                client.close()
 
     def many_files(self):
         """From now on, sockets have larger numbers than `select` takes."""

@@ -8,8 +8,8 @@ from typing import cast
 from .messages import Json, ServerError
 
 # Codes that are not the server's; all others are (api/openapi.yaml names them by route).
-CONNECTION = "connection"  # there is no connection, or it ended: what was sent may have been done
-TIMEOUT = "timeout"  # no answer in time: what was sent may have been done
+CONNECTION = "connection"  # there is no connection, or it ended
+TIMEOUT = "timeout"  # no connection or no answer in time
 CERTIFICATE = "certificate"  # the server is not known by its certificate; nothing was sent
 PROTOCOL = "protocol"  # what came is not what api/ promises
 
@@ -22,20 +22,17 @@ class RaceError(Exception):
     `line` and `column`: at least one and at most 200; `more_errors` says that there are more.
     `code`, `path`, `message`: of the first. A program branches on `code`: of the server, or `connection`, `timeout`, `certificate`
     or `protocol` (above).
+    `may_be_done`: whether the request may have been done all the same, as it was sent (`is_sent`) and its answer has not come.
     """
 
-    def __init__(self, status: int, errors: list[ServerError], more_errors: bool = False) -> None:
+    def __init__(self, status: int, errors: list[ServerError], more_errors: bool = False, *, is_sent: bool = True) -> None:
         self.status = status
         self.errors = errors
         self.more_errors = more_errors
         first = errors[0]
         self.path, self.code, self.message = first["path"], first["code"], first["message"]
+        self.may_be_done = is_sent and status == 0 and self.code in (CONNECTION, TIMEOUT)
         super().__init__("\n".join(line_of(error) for error in errors) + ("\n..." if more_errors else ""))
-
-    @property
-    def may_be_done(self) -> bool:
-        """Whether the request may have been done all the same, as its answer has not come."""
-        return self.status == 0 and self.code in (CONNECTION, TIMEOUT)
 
 
 class ServiceError(RaceError):
@@ -56,9 +53,9 @@ def line_of(error: ServerError) -> str:
     return ": ".join(part for part in (error["path"], error["code"], error["message"]) if part)
 
 
-def failure(code: str, message: str) -> RaceError:
+def failure(code: str, message: str, *, is_sent: bool = True) -> RaceError:
     """An error that is not the server's."""
-    return RaceError(0, [{"path": "", "code": code, "message": message}])
+    return RaceError(0, [{"path": "", "code": code, "message": message}], is_sent=is_sent)
 
 
 def refusal(status: int, body: bytes) -> RaceError:
@@ -73,13 +70,14 @@ def refusal(status: int, body: bytes) -> RaceError:
 
 
 @contextmanager
-def socket_errors(where: str) -> Iterator[None]:
-    """Failures of sockets within become RaceError; `where` is the address for its message."""
+def socket_errors(where: str, *, is_sent: bool = True) -> Iterator[None]:
+    """Failures of sockets within become RaceError; `where` is the address for its message, `is_sent`: a request may be sent within."""
     try:
         yield
     except TimeoutError:
-        raise failure(TIMEOUT, f"{where} does not answer in time") from None
+        raise failure(TIMEOUT, f"{where} does not answer in time", is_sent=is_sent) from None
     except ssl.SSLCertVerificationError as error:
         raise failure(CERTIFICATE, f"{where} is not known by its certificate: {error.verify_message}") from None
     except OSError as error:
-        raise failure(CONNECTION, f"{where} cannot be reached: {error.strerror or error or type(error).__name__}") from None
+        message = f"{where} cannot be reached: {error.strerror or error or type(error).__name__}"
+        raise failure(CONNECTION, message, is_sent=is_sent) from None

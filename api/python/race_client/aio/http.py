@@ -30,7 +30,8 @@ class AsyncHttp:
                 except ConnectionError:
                     if call.method != "GET":
                         raise  # it may have been done
-            connection = await Connection.open(self._address, deadline.left())
+            with socket_errors(str(self._address), is_sent=False):
+                connection = await Connection.open(self._address, deadline.left())
             return await self._exchange(connection, Exchange(self._address), call, token, deadline)
 
     def close(self) -> None:

@@ -30,7 +30,11 @@ async def send_twice(client: AsyncSender, call: Call[Answered]) -> Answered:
     except RaceError as error:
         if not error.may_be_done:
             raise
+    try:
         return await client.send(call)
+    except RaceError as error:
+        error.may_be_done = error.may_be_done or error.status == 0  # by the first time
+        raise
 
 
 async def derivation_pages(page: Callable[[int, int], Awaitable[Derivations]], first: int, last: int) -> AsyncIterator[TraceStep]:

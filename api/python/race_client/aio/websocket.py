@@ -25,7 +25,7 @@ class AsyncWebSocket:
     async def open(cls, address: Address, path: str, token: str | None, timeout: float) -> "AsyncWebSocket":
         """RaceError: there is no server, or it refuses (its status and codes)."""
         deadline = Deadline(timeout)
-        with socket_errors(str(address)):
+        with socket_errors(str(address), is_sent=False):
             protocol = WebSocketProtocol(address, path, token)
             opened = cls(address, await Connection.open(address, deadline.left()), protocol)
             try:

@@ -31,7 +31,8 @@ class Http:
                 except ConnectionError:
                     if call.method != "GET":
                         raise  # it may have been done
-            connection = Connection.open(self._address, deadline.left())
+            with socket_errors(str(self._address), is_sent=False):
+                connection = Connection.open(self._address, deadline.left())
             return self._exchange(connection, Exchange(self._address), call, token, deadline)
 
     def close(self) -> None:

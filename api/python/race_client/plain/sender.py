@@ -31,7 +31,11 @@ def send_twice(client: Sender, call: Call[Answered]) -> Answered:
     except RaceError as error:
         if not error.may_be_done:
             raise
+    try:
         return client.send(call)
+    except RaceError as error:
+        error.may_be_done = error.may_be_done or error.status == 0  # by the first time
+        raise
 
 
 def derivation_pages(page: Callable[[int, int], Derivations], first: int, last: int) -> Iterator[TraceStep]:

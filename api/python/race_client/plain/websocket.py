@@ -26,7 +26,7 @@ class WebSocket:
     def open(cls, address: Address, path: str, token: str | None, timeout: float) -> "WebSocket":
         """RaceError: there is no server, or it refuses (its status and codes)."""
         deadline = Deadline(timeout)
-        with socket_errors(str(address)):
+        with socket_errors(str(address), is_sent=False):
             protocol = WebSocketProtocol(address, path, token)
             opened = cls(address, Connection.open(address, deadline.left()), protocol)
             try:
