@@ -1,7 +1,10 @@
 """What the Python client library decides without a server: folding, gaps, bounds, errors; and that what is generated is up to date."""
+import base64
+import hashlib
 import inspect
 import json
 import os
+import re
 import resource
 import select
 import socket
@@ -9,6 +12,7 @@ import ssl
 import subprocess
 import sys
 import threading
+import time
 import unittest
 from unittest import mock
 
@@ -193,12 +197,32 @@ class Addresses(unittest.TestCase):
                     connect("https://127.0.0.1", ca_file=file)
 
 
-ONE = b"HTTP/1.1 200 OK\r\nContent-Length: 2\r\n\r\n{}"
+def json_answer(value):
+    body = json.dumps(value).encode()
+    return b"HTTP/1.1 200 OK\r\nContent-Length: %d\r\n\r\n%s" % (len(body), body)
+
+
+def opens_websocket(request):
+    key = re.search(rb"(?i)sec-websocket-key: (\S+)", request)[1]
+    accepted = base64.b64encode(hashlib.sha1(key + b"258EAFA5-E914-47DA-95CA-C5AB0DC85B11").digest())  # RFC 6455, 1.3
+    head = (b"HTTP/1.1 101 Switching Protocols", b"Upgrade: websocket", b"Connection: Upgrade", b"Sec-WebSocket-Accept: " + accepted)
+    return b"\r\n".join((*head, b"", b""))
+
+
+def one_snapshot(_):
+    """And a ping, so that there is an answer to wait for."""
+    text = snapshot(1).encode()
+    return b"\x81\x7e" + len(text).to_bytes(2) + text + b"\x89\x00"
+
+
+ONE = json_answer({})
 CLOSE = b""  # instead of an answer: the connection is closed
 
 
 class FakeServer:
-    """Answers each connection with these bytes, or its requests with each of a tuple of them, and then says nothing."""
+    """Answers each connection with these bytes, or its requests with each of a tuple of them, and then says nothing.
+
+    An answer may be a function of the request."""
 
     def __init__(self, *answers):
         self.listener = socket.create_server(("127.0.0.1", 0))
@@ -212,6 +236,7 @@ class FakeServer:
             self.kept.append(connection)
             for answer in each if isinstance(each, tuple) else (each,):
                 self.asked.append(connection.recv(65536))
+                answer = answer(self.asked[-1]) if callable(answer) else answer
                 connection.sendall(answer)
                 if answer == CLOSE or b"Connection: close" in answer:
                     connection.close()
@@ -280,6 +305,19 @@ class FakeServers(unittest.TestCase):
                     with self.assertRaises(RaceError) as caught:
                         ask()
                     self.assertEqual((caught.exception.code, caught.exception.may_be_done), (code, False))
+                client.close()
+
+    def test_a_wait_ends_in_time_whatever_the_stream_does(self):
+        running = json_answer(core(1))
+        for connect in KINDS.values():
+            for stream in (b"HTTP/1.1 101 Switching", opens_websocket, (opens_websocket, one_snapshot, CLOSE)):
+                client = connect(self.serve(running, stream).address, timeout=3)
+                begun = time.monotonic()
+                with self.assertRaises(RaceError) as caught:
+                    client.cores.wait("1", timeout=0.5)
+                self.assertLess(time.monotonic() - begun, 2)
+                self.assertEqual((caught.exception.code, caught.exception.message),
+                                 ("timeout", "core 1 is not over after 0.5 s: its status is running"))
                 client.close()
 
     def many_files(self):

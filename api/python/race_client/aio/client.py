@@ -51,9 +51,11 @@ class AsyncClient:
         """The answer to a request of `calls`, within `timeout` seconds (else those of the client). RaceError: refused, or no answer."""
         return call.read(await self._http.ask(call, self._token, self._timeout if timeout is None else timeout))
 
-    def follow(self, core: str, *, quiet: float | None = None, patience: float = 60.0, capacity: int = 1000) -> AsyncFollowing:
+    def follow(self, core: str, *, quiet: float | None = None, patience: float = 60.0, capacity: int = 1000,
+               within: float | None = None) -> AsyncFollowing:
         """As `cores.follow`."""
-        return AsyncFollowing(self._address, self._token, core, timeout=self._timeout, quiet=quiet, patience=patience, capacity=capacity)
+        return AsyncFollowing(self._address, self._token, core, timeout=self._timeout, quiet=quiet, patience=patience, capacity=capacity,
+                              within=within)
 
     async def log_in(self, name: str, password: str) -> LoginAnswer:
         """Asks as this account from now on, for twelve hours at most. RaceError 401 `login`: no such name and password; 429 `attempts`."""

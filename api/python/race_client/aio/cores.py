@@ -68,14 +68,15 @@ class AsyncCores:
         """What is active, and all values, after the last step."""
         return await self._client.send(calls.get_core_state(id))
 
-    def follow(self, id: str, *, quiet: float | None = None, patience: float = 60.0, capacity: int = 1000) -> AsyncFollowing:
+    def follow(self, id: str, *, quiet: float | None = None, patience: float = 60.0, capacity: int = 1000,
+               within: float | None = None) -> AsyncFollowing:
         """Its updates until the run is over, over the stream: a context manager, and within it an iterator.
 
         `quiet`: seconds without an update after which the iterator raises RaceError `timeout` (None: never, for a run may do nothing
         for long). `patience`: seconds for which a lost connection is made again. `capacity`: updates that wait for a slow reader
-        until they are put together. Errors: as of AsyncFollowing.
+        until they are put together. `within`: seconds for entering it (None: three times the client's). Errors: as of AsyncFollowing.
         """
-        return self._client.follow(id, quiet=quiet, patience=patience, capacity=capacity)
+        return self._client.follow(id, quiet=quiet, patience=patience, capacity=capacity, within=within)
 
     async def wait(self, id: str, *, timeout: float) -> Core:
         """The core once its run is over: `status` ended (with `outcome` and `results`), faulted (with `fault`) or aborted.
@@ -88,7 +89,7 @@ class AsyncCores:
             return core
         status = core["status"]
         try:
-            async with self._client.follow(id, patience=timeout) as updates:
+            async with self._client.follow(id, patience=timeout, within=deadline.left()) as updates:
                 while (update := await updates.next(deadline.left())) is not None:
                     status = update.state["core"]["status"]
                     if is_over(status):

@@ -20,13 +20,15 @@ class AsyncFollowing:
     that wait, one snapshot takes the place of all (`Update.merged`). A connection that is lost is made again, for `patience` seconds,
     and what was missed comes then, or a new snapshot; the updates `disconnected` and `connected` say so. After that, and for what no
     attempt will change (rights, no such core), the iterator raises RaceError, behind all updates that came before. Entering it waits for
-    the first snapshot, so that what is done then is heard; it raises RaceError if there is no server, or no such core.
+    the first snapshot, so that what is done then is heard; it raises RaceError if there is no server, or no such core, or if it takes more
+    than `within` seconds.
     """
 
     def __init__(self, address: Address, token: str | None, core: str, *, timeout: float, quiet: float | None = None,
-                 patience: float = 60.0, capacity: int = CAPACITY) -> None:
+                 patience: float = 60.0, capacity: int = CAPACITY, within: float | None = None) -> None:
         self._address, self._token = address, token
         self._timeout, self._quiet, self._patience = timeout, quiet, patience
+        self._within = 3 * timeout if within is None else within
         self._updates = CoreUpdates(core, capacity)
         self._core = core
         self._signal = Signal()
@@ -35,10 +37,11 @@ class AsyncFollowing:
         self._is_closing = False
 
     async def __aenter__(self) -> "AsyncFollowing":
-        self._socket = await self._open()
+        deadline = Deadline(self._within)
+        self._socket = await self._open(min(self._timeout, self._within))
         self._background = Background(self._run)
         try:
-            await self._wait_for_first()
+            await self._wait_for_first(deadline)
         except BaseException:
             await self.close()
             raise
@@ -81,7 +84,7 @@ class AsyncFollowing:
         if self._socket is not None:
             self._socket.close()
 
-    async def _wait_for_first(self) -> None:
+    async def _wait_for_first(self, deadline: Deadline) -> None:
         """Until the first snapshot is there, so that nothing is missed of what its user does then; or raises why it does not come."""
         while True:
             self._signal.clear()
@@ -89,10 +92,10 @@ class AsyncFollowing:
                 return
             self._updates.raise_failure()
             with socket_errors(str(self._address)):
-                await self._signal.wait(2 * self._timeout)
+                await self._signal.wait(deadline.left())
 
-    async def _open(self) -> AsyncWebSocket:
-        return await AsyncWebSocket.open(self._address, STREAM_PATH, self._token, self._timeout)
+    async def _open(self, timeout: float) -> AsyncWebSocket:
+        return await AsyncWebSocket.open(self._address, STREAM_PATH, self._token, timeout)
 
     async def _run(self) -> None:
         """Reads until the run is over; whatever ends it before reaches the reader of the updates."""
@@ -133,7 +136,7 @@ class AsyncFollowing:
         while not self._is_closing:
             await pause(delay)
             try:
-                return await self._open()
+                return await self._open(self._timeout)
             except RaceError as error:
                 if not passes(error) or time.monotonic() > end:
                     raise

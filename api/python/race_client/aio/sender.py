@@ -18,7 +18,8 @@ class AsyncSender(Protocol):
         """As AsyncClient.send."""
         ...
 
-    def follow(self, core: str, *, quiet: float | None = None, patience: float = 60.0, capacity: int = 1000) -> AsyncFollowing:
+    def follow(self, core: str, *, quiet: float | None = None, patience: float = 60.0, capacity: int = 1000,
+               within: float | None = None) -> AsyncFollowing:
         """As AsyncClient.follow."""
         ...
 

@@ -21,13 +21,15 @@ class Following:
     that wait, one snapshot takes the place of all (`Update.merged`). A connection that is lost is made again, for `patience` seconds,
     and what was missed comes then, or a new snapshot; the updates `disconnected` and `connected` say so. After that, and for what no
     attempt will change (rights, no such core), the iterator raises RaceError, behind all updates that came before. Entering it waits for
-    the first snapshot, so that what is done then is heard; it raises RaceError if there is no server, or no such core.
+    the first snapshot, so that what is done then is heard; it raises RaceError if there is no server, or no such core, or if it takes more
+    than `within` seconds.
     """
 
     def __init__(self, address: Address, token: str | None, core: str, *, timeout: float, quiet: float | None = None,
-                 patience: float = 60.0, capacity: int = CAPACITY) -> None:
+                 patience: float = 60.0, capacity: int = CAPACITY, within: float | None = None) -> None:
         self._address, self._token = address, token
         self._timeout, self._quiet, self._patience = timeout, quiet, patience
+        self._within = 3 * timeout if within is None else within
         self._updates = CoreUpdates(core, capacity)
         self._core = core
         self._signal = Signal()
@@ -36,10 +38,11 @@ class Following:
         self._is_closing = False
 
     def __enter__(self) -> "Following":
-        self._socket = self._open()
+        deadline = Deadline(self._within)
+        self._socket = self._open(min(self._timeout, self._within))
         self._background = Background(self._run)
         try:
-            self._wait_for_first()
+            self._wait_for_first(deadline)
         except BaseException:
             self.close()
             raise
@@ -82,7 +85,7 @@ class Following:
         if self._socket is not None:
             self._socket.close()
 
-    def _wait_for_first(self) -> None:
+    def _wait_for_first(self, deadline: Deadline) -> None:
         """Until the first snapshot is there, so that nothing is missed of what its user does then; or raises why it does not come."""
         while True:
             self._signal.clear()
@@ -90,10 +93,10 @@ class Following:
                 return
             self._updates.raise_failure()
             with socket_errors(str(self._address)):
-                self._signal.wait(2 * self._timeout)
+                self._signal.wait(deadline.left())
 
-    def _open(self) -> WebSocket:
-        return WebSocket.open(self._address, STREAM_PATH, self._token, self._timeout)
+    def _open(self, timeout: float) -> WebSocket:
+        return WebSocket.open(self._address, STREAM_PATH, self._token, timeout)
 
     def _run(self) -> None:
         """Reads until the run is over; whatever ends it before reaches the reader of the updates."""
@@ -134,7 +137,7 @@ class Following:
         while not self._is_closing:
             pause(delay)
             try:
-                return self._open()
+                return self._open(self._timeout)
             except RaceError as error:
                 if not passes(error) or time.monotonic() > end:
                     raise

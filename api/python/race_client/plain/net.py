@@ -86,7 +86,7 @@ class Background:
         self._thread.start()
 
     def end(self) -> None:
-        self._thread.join(5)  # it may be connecting; it ends by itself
+        self._thread.join(5 * POLL)  # it ends by itself; if it is connecting, later
 
 
 def pause(seconds: float) -> None:

@@ -19,7 +19,8 @@ class Sender(Protocol):
         """As Client.send."""
         ...
 
-    def follow(self, core: str, *, quiet: float | None = None, patience: float = 60.0, capacity: int = 1000) -> Following:
+    def follow(self, core: str, *, quiet: float | None = None, patience: float = 60.0, capacity: int = 1000,
+               within: float | None = None) -> Following:
         """As Client.follow."""
         ...
 
