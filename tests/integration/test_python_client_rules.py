@@ -22,10 +22,12 @@ from client import PROJECT
 from python_clients import KINDS, LIBRARY, race_client
 from race_client import calls
 from race_client.address import Address
+from race_client.aio import client as aio_client
 from race_client.aio.client import AsyncClient
 from race_client.call import Answer, Call
 from race_client.errors import RaceError, failure, socket_errors
 from race_client.fold import fold
+from race_client.plain import client as plain_client
 from race_client.plain import websocket
 from race_client.plain.sender import send_twice
 from race_client.updates import CoreUpdates
@@ -197,9 +199,9 @@ class Addresses(unittest.TestCase):
                     connect("https://127.0.0.1", ca_file=file)
 
 
-def json_answer(value):
-    body = json.dumps(value).encode()
-    return b"HTTP/1.1 200 OK\r\nContent-Length: %d\r\n\r\n%s" % (len(body), body)
+def json_answer(value, status="200 OK"):
+    body = json.dumps(value)
+    return f"HTTP/1.1 {status}\r\nContent-Length: {len(body)}\r\n\r\n{body}".encode()
 
 
 def opens_websocket(request):
@@ -216,7 +218,7 @@ def one_snapshot(_):
 
 
 ONE = json_answer({})
-CLOSE = b""  # instead of an answer: the connection is closed
+CLOSE, SILENT = b"", None  # instead of an answer: the connection is closed, or nothing is said
 
 
 class FakeServer:
@@ -237,6 +239,8 @@ class FakeServer:
             for answer in each if isinstance(each, tuple) else (each,):
                 self.asked.append(connection.recv(65536))
                 answer = answer(self.asked[-1]) if callable(answer) else answer
+                if answer is SILENT:
+                    continue
                 connection.sendall(answer)
                 if answer == CLOSE or b"Connection: close" in answer:
                     connection.close()
@@ -319,6 +323,40 @@ class FakeServers(unittest.TestCase):
                 self.assertEqual((caught.exception.code, caught.exception.message),
                                  ("timeout", "core 1 is not over after 0.5 s: its status is running"))
                 client.close()
+
+    def impatient(self):
+        for module in (aio_client, plain_client):
+            patched = mock.patch.object(module, "STOP_TIMEOUT", 0.3)
+            patched.start()
+            self.addCleanup(patched.stop)
+
+    def test_a_stop_waits_for_no_connection_that_is_half_dead_and_is_sent_again(self):
+        self.impatient()
+        busy = json_answer({}, "503 Service Unavailable")
+        for connect in KINDS.values():
+            for first, second in ((SILENT, CLOSE), (CLOSE, busy), (busy, SILENT)):
+                server = self.serve(ONE, first, second, ONE)
+                race = connect(server.address, timeout=5)
+                race.health()
+                begun = time.monotonic()
+                self.assertEqual(race.stop_cell(), {})
+                self.assertLess(time.monotonic() - begun, 2)
+                self.assertEqual([each.split(b" ")[0] for each in server.asked], [b"GET", b"POST", b"POST", b"POST"])
+                race.close()
+
+    def test_a_stop_is_given_up_at_last_and_may_be_done(self):
+        self.impatient()
+        wrong = json_answer({}, "404 Not Found")
+        for connect in KINDS.values():
+            for answers, times, how in (((SILENT,) * 9, 3, (0, "timeout", True)), ((SILENT, CLOSE, SILENT, ONE), 3, (0, "timeout", True)),
+                                        ((wrong, ONE), 1, (404, "protocol", False))):
+                server = self.serve(*answers)
+                race = connect(server.address, timeout=5)
+                with self.assertRaises(RaceError) as caught:
+                    race.stop_cell()
+                self.assertEqual((caught.exception.status, caught.exception.code, caught.exception.may_be_done), how)
+                self.assertEqual(len(server.asked), times)
+                race.close()
 
     def many_files(self):
         """From now on, sockets have larger numbers than `select` takes."""

@@ -6,15 +6,19 @@ from typing import TypeVar
 from .. import calls
 from ..address import Address, checked_token
 from ..call import Call
+from ..errors import RaceError
 from ..messages import Control, Empty, Health, LoginAnswer, Me
 from .cores import AsyncCores
 from .documents import AsyncDocuments
-from .following import AsyncFollowing
+from .following import AsyncFollowing, passes
 from .http import AsyncHttp
+from .net import pause
 from .runs import AsyncRuns
 from .services import AsyncServices
 
 Answered = TypeVar("Answered")
+
+STOP_TRIES, STOP_TIMEOUT, STOP_PAUSE = 3, 3.0, 0.1  # how often a stop is sent, and seconds for each and in between
 
 
 class AsyncClient:
@@ -78,8 +82,20 @@ class AsyncClient:
         return await self.send(calls.get_health())
 
     async def stop_cell(self) -> Control:
-        """Stops everything that moves, and all runs, until `reset_stop`. Needs no account. This is not a safety function."""
-        return await self.send(calls.stop_cell())
+        """Stops everything that moves, and all runs, until `reset_stop`. Needs no account. This is not a safety function.
+
+        It is sent over a new connection, and, as it may be done twice, again if no answer comes: three times, for 3 s each.
+        """
+        call, may_be_done, tries = calls.stop_cell(), False, STOP_TRIES
+        while True:
+            try:
+                return call.read(await self._http.ask(call, self._token, min(STOP_TIMEOUT, self._timeout), is_new=True))
+            except RaceError as error:
+                tries -= 1
+                may_be_done = error.may_be_done = error.may_be_done or may_be_done
+                if tries == 0 or not (passes(error) or error.status == 503):
+                    raise
+            await pause(STOP_PAUSE)
 
     async def reset_stop(self) -> Control:
         """Motions may begin again; none does by this."""

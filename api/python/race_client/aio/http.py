@@ -19,11 +19,11 @@ class AsyncHttp:
         self._address = address
         self._kept: deque[tuple[Connection, Exchange]] = deque()
 
-    async def ask(self, call: Call[Any], token: str | None, timeout: float) -> Answer:
-        """The answer within `timeout` seconds. RaceError: there is none."""
+    async def ask(self, call: Call[Any], token: str | None, timeout: float, *, is_new: bool = False) -> Answer:
+        """The answer within `timeout` seconds. `is_new`: over a connection that was not used before. RaceError: there is none."""
         deadline = Deadline(timeout)
         with socket_errors(str(self._address)):
-            kept = self._take_kept()
+            kept = None if is_new else self._take_kept()
             if kept is not None:
                 try:
                     return await self._exchange(*kept, call, token, deadline)
