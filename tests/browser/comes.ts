@@ -14,7 +14,8 @@ export async function slowRobot(fixture: Fixture, page: Page, document: string):
   const told = /\/api\/v1\/services\/robot\/calls$/;
   await page.route(told, async (route) => {
     const response = await route.fetch();
-    const json = (await response.json()) as { readonly result?: { readonly speed_override?: number } };
+    // Nothing, once the page has gone.
+    const json = (await response.json().catch(() => ({}))) as { readonly result?: { readonly speed_override?: number } };
     if (json.result?.speed_override === undefined) await route.fulfill({ response });
     else await route.fulfill({ response, json: { ...json, result: { ...json.result, speed_override: share } } });
   });

@@ -85,7 +85,8 @@ describe("the controls of the cell", () => {
   async function hold(on: Page): Promise<void> {
     if ((await held(on).count()) > 0) return;
     const read = on.getByRole("button", { name: "I have read this" });
-    if (await read.isVisible()) await read.click();
+    // It goes by itself once the controls are taken.
+    if (await read.isVisible()) await read.click({ timeout: 5000 }).catch(() => undefined);
     await take(on).click();
     await held(on).waitFor();
   }
