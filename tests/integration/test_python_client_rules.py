@@ -14,6 +14,7 @@ import sys
 import threading
 import time
 import unittest
+from functools import partial
 from unittest import mock
 
 import yaml
@@ -236,9 +237,9 @@ class FakeServer:
         for each in answers:
             connection, _ = self.listener.accept()
             self.kept.append(connection)
-            for answer in each if isinstance(each, tuple) else (each,):
+            for planned in each if isinstance(each, tuple) else (each,):
                 self.asked.append(connection.recv(65536))
-                answer = answer(self.asked[-1]) if callable(answer) else answer
+                answer = planned(self.asked[-1]) if callable(planned) else planned
                 if answer is SILENT:
                     continue
                 connection.sendall(answer)
@@ -305,7 +306,7 @@ class FakeServers(unittest.TestCase):
         for connect in KINDS.values():
             for address, code in ((f"http://127.0.0.1:{gone_port}", "connection"), (f"https://127.0.0.1:{silent_port}", "timeout")):
                 client = connect(address, timeout=0.3)
-                for ask in (lambda: client.cores.start("1"), client.cores.follow("1").__enter__):
+                for ask in (partial(client.cores.start, "1"), client.cores.follow("1").__enter__):
                     with self.assertRaises(RaceError) as caught:
                         ask()
                     self.assertEqual((caught.exception.code, caught.exception.may_be_done), (code, False))

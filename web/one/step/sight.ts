@@ -3,6 +3,7 @@ import { createStore } from "../../page/store";
 import type { JsonValue } from "../../shared/json";
 import { messageOf } from "../../shared/messageOf";
 import { labelsKnown, labelsSeen } from "../../shared/skills/labels";
+import { texts } from "../texts";
 
 export interface SightState {
   readonly isLooking: boolean;
@@ -20,7 +21,7 @@ const kPatience = 15_000;
 /** Rejects if it takes too long. */
 function inTime<T>(answer: Promise<T>): Promise<T> {
   return new Promise((resolve, reject) => {
-    const timer = setTimeout(() => reject(new Error("it does not answer")), kPatience);
+    const timer = setTimeout(() => reject(new Error(texts.sight.noAnswer)), kPatience);
     answer.then(resolve, reject).finally(() => clearTimeout(timer));
   });
 }

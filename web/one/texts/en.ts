@@ -185,6 +185,7 @@ export const en = {
   sight: {
     seen: "Seen now",
     looking: "The camera looks…",
+    noAnswer: "the camera does not answer",
     nothing: "The camera sees none of the parts that it looks for now.",
     unknown: (why: string) => `It is not known what the camera sees: ${why.replace(/\.$/, "")}.`,
     notAsked: (why: string) => `The camera is not asked what it sees: ${why}.`,
