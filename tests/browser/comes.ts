@@ -14,8 +14,9 @@ export async function slowRobot(fixture: Fixture, page: Page, document: string):
   const told = /\/api\/v1\/services\/robot\/calls$/;
   await page.route(told, async (route) => {
     const response = await route.fetch();
-    // Nothing, once the page has gone.
-    const json = (await response.json().catch(() => ({}))) as { readonly result?: { readonly speed_override?: number } };
+    const json = (await response.json().catch(() => undefined)) as { readonly result?: { readonly speed_override?: number } } | undefined;
+    // The page has gone.
+    if (json === undefined) return;
     if (json.result?.speed_override === undefined) await route.fulfill({ response });
     else await route.fulfill({ response, json: { ...json, result: { ...json.result, speed_override: share } } });
   });

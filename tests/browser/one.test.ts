@@ -7,6 +7,7 @@ import { findings } from "./axe";
 import { expectStill, otherPerson, secondFinger, slowRobot } from "./comes";
 import { dragTo } from "./hands";
 import { binary, demo, openFixture, openPrepared, project, settled, type Fixture } from "./fixture";
+import { prepareToMove } from "./prepare";
 
 interface StateJson {
   readonly state: string;
@@ -357,22 +358,11 @@ describe("a pose that nobody has taught", () => {
 describe("a pose that is taught in place", () => {
   const heights = async (): Promise<readonly number[]> => ((await fixture.send("POST", "/services/robot/calls", { operation: "state" })) as { readonly result: { readonly pose: { readonly position: readonly number[] } } }).result.pose.position;
 
-  /** Takes the controls, also again: a machine that has much to do may lose them. */
-  const prepare = async (): Promise<void> => {
-    const before = panel().getByRole("region", { name: "Before you move the robot" });
-    if ((await before.count()) === 0) return;
-    await before.getByRole("button", { name: "Take the controls" }).click();
-    await page.getByText("You have the controls").waitFor();
-    const programming = before.getByRole("button", { name: "Programming" });
-    if ((await programming.count()) > 0) await programming.click();
-    await before.waitFor({ state: "detached" });
-  };
-
   /** Holds the button until the arm is above `height`; who sees that nothing moves lets go, and presses again. The height then [m]. */
   const raise = async (height: number, press: (held: Locator) => Promise<void>, letGo: () => Promise<void>): Promise<number> => {
     const held = panel().getByRole("button", { name: "Up, tool along Z plus, while held", exact: true });
     for (let tries = 0; tries < 5; tries++) {
-      await prepare();
+      await prepareToMove(page, panel());
       await held.scrollIntoViewIfNeeded();
       await press(held);
       const isOver = async () => (await held.isDisabled()) || (await panel().getByText(/^Not moved: /).count()) > 0 || ((await heights())[2] ?? 0) > height;
@@ -438,12 +428,8 @@ describe("the buttons that move the arm", () => {
     await person.goto(`${fixture.url}/one/?edit=sort-parts`);
     await card("Move to", person).click();
     await panel(person).getByRole("button", { name: "Teach here" }).click();
-    const before = panel(person).getByRole("region", { name: "Before you move the robot" });
-    await before.getByRole("button", { name: "Take the controls" }).click();
-    await person.getByText("You have the controls").waitFor();
-    const programming = before.getByRole("button", { name: "Programming" });
-    if ((await programming.count()) > 0) await programming.click();
-    await before.waitFor({ state: "detached" });
+    await panel(person).getByRole("region", { name: "Before you move the robot" }).waitFor();
+    await prepareToMove(person, panel(person));
     const name = "Up, tool along Z plus, while held";
     const held = panel(person).getByRole("button", { name, exact: true });
     await held.scrollIntoViewIfNeeded();

@@ -1,6 +1,7 @@
 // RACE-One: a step fails for its place, which is taught again while the run waits, or after its end; then the arm goes there. On the real server.
 import type { Locator, Page } from "playwright-core";
 import { openFixture, type Fixture } from "./fixture";
+import { prepareToMove } from "./prepare";
 
 /** [m] */
 const kRaised = 0.005;
@@ -37,24 +38,12 @@ async function goTo(pose: string): Promise<void> {
   await page.getByText(`“${pose}” is not taught yet.`).first().waitFor();
 }
 
-/** Takes the controls, also again: a machine that has much to do may lose them. */
-async function prepare(): Promise<void> {
-  const before = page.getByRole("region", { name: "Before you move the robot" });
-  if ((await before.count()) === 0) return;
-  const take = before.getByRole("button", { name: "Take the controls" });
-  if ((await take.count()) > 0) await take.click();
-  await page.getByText("You have the controls").waitFor();
-  const programming = before.getByRole("button", { name: "Programming" });
-  if ((await programming.count()) > 0) await programming.click();
-  await before.waitFor({ state: "detached" });
-}
-
 /** Holds the button until the arm is so much higher, or lower; who sees that nothing moves lets go, and presses again. */
 async function raise(within: Locator, by: number): Promise<void> {
   const goal = (await height()) + by;
   const isThere = async () => Math.sign(by) * ((await height()) - goal) >= 0;
   for (let tries = 0; tries < 5 && !(await isThere()); tries++) {
-    await prepare();
+    await prepareToMove(page);
     const held = within.getByRole("button", { name: by > 0 ? "Up, tool along Z plus, while held" : "Down, tool along Z minus, while held", exact: true });
     await held.scrollIntoViewIfNeeded();
     await held.focus();
@@ -87,7 +76,7 @@ describe("a place that is taught again", () => {
     await teaching("shelf").waitFor();
     expect(await status()).toBe("Paused");
     expect(await button("Try the step again").isDisabled(), "nothing is saved yet").toBe(true);
-    await prepare();
+    await prepareToMove(page);
     await button("Do not teach").click();
     await button("Teach it again").click();
     const at = await teach("shelf");

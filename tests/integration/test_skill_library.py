@@ -86,6 +86,13 @@ class OfAllDocuments(unittest.TestCase):
                 if isinstance(value, (int, float)) and not isinstance(value, bool):
                     self.assertTrue("min" in meta or "domain" not in meta, where)
 
+    def test_a_skill_that_teaches_a_pose_is_marked_and_no_other_is(self):
+        for document, skill in ALL:
+            keeps = "svc.robot.record_pose" in json.dumps(skill) and "svc.db.add" in json.dumps(skill)
+            for parameter in skill.get("parameters", []):
+                is_pose = parameter["meta"].get("domain") == "pose"
+                self.assertEqual(parameter["meta"].get("teaches", False), keeps and is_pose, (document["name"], skill["state"], parameter["name"]))
+
     def test_a_port_that_is_no_outcome_says_what_to_do(self):
         for document, skill in ALL:
             known = (OF_DEMONSTRATOR if document is DEMONSTRATOR else OUTCOMES).get(skill["state"], set()) | {nominal(skill)}

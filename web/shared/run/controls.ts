@@ -60,7 +60,7 @@ export const goesOnMeanwhile = (core: Pick<Core, "status" | "paused">): string |
 export const isHeld = ({ status, paused }: Pick<Core, "status" | "paused">): boolean => status === "running" && paused;
 
 /** Whether a run is held while something has come for it. */
-export const holdsInputs = ({ status, paused, waiting, step }: Pick<Core, "status" | "paused" | "waiting" | "step">): boolean => status === "running" && paused && waiting > 0 && step > 0;
+export const holdsInputs = (core: Pick<Core, "status" | "paused" | "waiting" | "step">): boolean => isHeld(core) && core.waiting > 0 && core.step > 0;
 
 /** The status of a core in one line. */
 export function statusText(core: Core): string {

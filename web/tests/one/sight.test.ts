@@ -1,5 +1,5 @@
 // What the camera sees: asked once for all who ask meanwhile; what it sees no more is offered no more, and why it does not say so is told.
-import { expect, test } from "vitest";
+import { expect, test, vi } from "vitest";
 import { createSight } from "../../one/step/sight";
 import type { JsonValue } from "../../shared/json";
 
@@ -54,4 +54,20 @@ test("why it is not known is told until it is, and what was seen before is not t
   sight.look("eyes");
   await answer("look", picture("Cube"));
   expect(now()).toMatchObject({ seen: ["Cube"], problem: undefined });
+});
+
+test("a camera that does not answer is waited for no longer than a while, and may be asked again", async () => {
+  vi.useFakeTimers();
+  try {
+    const { sight, now, asked } = service();
+    sight.look("eyes");
+    await vi.advanceTimersByTimeAsync(14_000);
+    expect(now()).toMatchObject({ isLooking: true, problem: undefined });
+    await vi.advanceTimersByTimeAsync(2000);
+    expect(now()).toMatchObject({ isLooking: false, seen: undefined, problem: "the camera does not answer" });
+    sight.look("eyes");
+    expect(asked()).toHaveLength(4);
+  } finally {
+    vi.useRealTimers();
+  }
 });
