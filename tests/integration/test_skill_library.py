@@ -90,8 +90,8 @@ class OfAllDocuments(unittest.TestCase):
         for document, skill in ALL:
             keeps = "svc.robot.record_pose" in json.dumps(skill) and "svc.db.add" in json.dumps(skill)
             for parameter in skill.get("parameters", []):
-                is_pose = parameter["meta"].get("domain") == "pose"
-                self.assertEqual(parameter["meta"].get("teaches", False), keeps and is_pose, (document["name"], skill["state"], parameter["name"]))
+                meta, where = parameter["meta"], (document["name"], skill["state"], parameter["name"])
+                self.assertEqual(meta.get("teaches", False), keeps and meta.get("domain") == "pose", where)
 
     def test_a_port_that_is_no_outcome_says_what_to_do(self):
         for document, skill in ALL:
