@@ -16,7 +16,10 @@ namespace {
 using asio::ip::tcp;
 using namespace std::chrono_literals;
 
-constexpr auto kLastWords = 50ms;    // for what clients are told of the end to reach them
+constexpr auto kLastWords = 50ms;  // for what clients are told of the end to reach them
+// Of a connection [bytes], of which the kernel keeps twice as much for what a client has not taken yet; by itself, it
+// would go to 4 MiB, which are no part of any limit here, and make what a slow client sees old.
+constexpr int kSendBuffer = 256 * 1024;
 constexpr auto kEndTimeout = 500ms;  // for what is under way when the server ends
 
 // TLS 1.2 and later with the ciphers of OpenSSL's default, without renegotiation and compression. Empty: the
@@ -44,6 +47,7 @@ void admit(tcp::socket socket, const Endpoint& endpoint, Context& context) {
   const tcp::endpoint address = socket.remote_endpoint(gone);
   if (gone) return;
   socket.set_option(tcp::no_delay(true), gone);
+  socket.set_option(asio::socket_base::send_buffer_size(kSendBuffer), gone);
   const asio::any_io_executor executor = socket.get_executor();
   auto client = std::make_unique<Client>(stream_of(std::move(socket), endpoint), text_of(address.address()), endpoint);
   client->place = context.connections.admit(client->address, [raw = client.get()] { raw->stream.close(); });

@@ -22,6 +22,8 @@ namespace race::server {
 class NetStream {
  public:
   using executor_type = asio::any_io_executor;
+  static constexpr std::size_t kMostAtOnce =
+      64 * 1024;  // of a write [bytes]; the kernel copies it on the sockets' thread
 
   explicit NetStream(asio::ip::tcp::socket socket);
   /// With TLS, of which handshake() is the first step. The context outlives it.
@@ -50,13 +52,17 @@ class NetStream {
         [this](auto handler, asio::mutable_buffer into) { start_read(into, erase(std::move(handler))); }, token,
         first_of<asio::mutable_buffer>(buffers));
   }
+  /// At most kMostAtOnce, so that all who are written to take turns, and whoever asks for little waits for few of them.
   template <typename Buffers, typename Token>
   auto async_write_some(const Buffers& buffers, Token&& token) {
     Pieces pieces{};
-    std::size_t count = 0;
+    std::size_t count = 0, left = kMostAtOnce;
     for (auto each = asio::buffer_sequence_begin(buffers);
-         each != asio::buffer_sequence_end(buffers) && count < pieces.size(); ++each)
-      if (asio::const_buffer piece(*each); piece.size() > 0) pieces[count++] = piece;
+         each != asio::buffer_sequence_end(buffers) && count < pieces.size() && left > 0; ++each)
+      if (const asio::const_buffer piece = asio::buffer(asio::const_buffer(*each), left); piece.size() > 0) {
+        pieces[count++] = piece;
+        left -= piece.size();
+      }
     return asio::async_initiate<Token, void(error_code, std::size_t)>(
         [this](auto handler, const Pieces& from) { start_write(from, erase(std::move(handler))); }, token, pieces);
   }

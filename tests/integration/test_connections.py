@@ -18,6 +18,7 @@ from floods import is_open, resident
 from websockets.frames import OP_CLOSE, OP_TEXT
 
 MIB = 1 << 20
+MOST_UNSENT = 512 * 1024  # [bytes] that the kernel keeps of a connection (kSendBuffer in server/http/listener.cpp)
 CEILING = 150e6  # [bytes] that the server may grow by
 BUDGET = 64 * MIB  # of bodies, answers and first messages (server/http/listener.h)
 HELLO = 4 * MIB
@@ -42,6 +43,15 @@ def answered(connection):
     except ConnectionError:
         return 0
     return int(answer.split()[1]) if answer else 0
+
+
+def unsent(server, connection):
+    """What the kernel keeps for a connection until its client takes it [bytes] (proc(5), /proc/net/tcp)."""
+    ports = f":{server.port:04X}", f":{connection.getsockname()[1]:04X}"
+    with open("/proc/net/tcp") as table:
+        rows = [row.split() for row in table]
+    [queues] = [row[4] for row in rows if row[1].endswith(ports[0]) and row[2].endswith(ports[1])]
+    return int(queues.split(":")[0], 16)
 
 
 class Case(unittest.TestCase):
@@ -107,6 +117,18 @@ class Places(Case):
         print(f"health in place of a reserved connection: after {took:.2f} s", flush=True)
         self.assertEqual([is_open(each) for each in reserved[:2]], [False, True], "the oldest made way")
         self.assertLess(took, 1, "after that they end by themselves")
+
+    def test_the_kernel_keeps_little_for_who_takes_nothing(self):
+        document = models.document("large", {"state": "Root", "doc": "x" * 10**6})
+        self.server.put("/documents/large", document, "document_entry")
+        connection = socket.socket()
+        connection.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+        connection.connect(("127.0.0.1", self.server.port))
+        self.connections.append(connection)
+        connection.sendall(f"GET /api/v1/documents/large HTTP/1.1\r\n{self.host}\r\n".encode())
+        self.server.wait_for(lambda: unsent(self.server, connection) > MOST_UNSENT // 2, 5)
+        time.sleep(0.2)  # for more, if there were
+        self.assertLessEqual(unsent(self.server, connection), MOST_UNSENT)
 
     def test_health_waits_for_nobody(self):
         large = {"rcm": 1, "root": {"state": "Root", "doc": "x" * 10**6}}
