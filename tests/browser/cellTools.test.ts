@@ -60,7 +60,7 @@ describe("the 3D view", () => {
     await fixture.screenshot("cell-cloud");
     await tool("Cloud").click();
     await expect.poll(watchers, kSoon).toBe(0);
-    expect(await fixture.page.locator(".cell-hint").count()).toBe(0);
+    await expect.poll(() => fixture.page.locator(".cell-hint").count(), kSoon).toBe(0);
     // A place of the table without a part: its points lie in its plane, but for the noise of a Kinect.
     const table = pointsAbove(cloud, [0.75, 0.25], 0.05).map(({ at }) => at[2] ?? 0);
     expect(table.length).toBeGreaterThan(20);

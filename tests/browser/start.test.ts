@@ -86,7 +86,6 @@ describe("the page without a run", () => {
         await new Promise((resolve) => setTimeout(resolve, late));
         await route.continue();
       });
-      await page.goto("about:blank");
       await page.goto(`${fixture.url}${path}`);
       const start = startOf(page);
       await start.waitFor();
@@ -99,10 +98,9 @@ describe("the page without a run", () => {
       const all = await runs();
       // The second click did not press what came in the place of the button, either.
       expect(all.map(({ status, paused }) => [status, paused])).toEqual([["running", false]]);
-      for (const { id } of all) {
-        await fixture.send("POST", `/cores/${id}/stop`);
-        await fixture.send("DELETE", `/cores/${id}`);
-      }
+      for (const { id } of all) await fixture.send("POST", `/cores/${id}/stop`);
+      await page.goto("about:blank"); // before there is nothing that it could still ask for
+      for (const { id } of all) await fixture.send("DELETE", `/cores/${id}`);
     }
     await page.context().close();
   });
