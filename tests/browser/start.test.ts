@@ -66,6 +66,7 @@ describe("the page without a run", () => {
     expect(await page.getByRole("region", { name: "Start" }).count()).toBe(0);
     const id = await watched().inputValue();
     await fixture.send("POST", `/cores/${id}/stop`);
+    await page.goto("about:blank"); // it may still ask for steps of the core
     await fixture.send("DELETE", `/cores/${id}`);
     await page.goto(`${fixture.url}/pro/`);
     await card("waiting").getByRole("button", { name: "Open" }).click();
