@@ -16,11 +16,11 @@ namespace {
 using asio::ip::tcp;
 using namespace std::chrono_literals;
 
-constexpr auto kLastWords = 50ms;  // for what clients are told of the end to reach them
+constexpr auto kLastWords = 50ms;    // for what clients are told of the end to reach them
+constexpr auto kEndTimeout = 500ms;  // for what is under way when the server ends
 // Of a connection [bytes], of which the kernel keeps twice as much for what a client has not taken yet; by itself, it
 // would go to 4 MiB, which are no part of any limit here, and make what a slow client sees old.
 constexpr int kSendBuffer = 256 * 1024;
-constexpr auto kEndTimeout = 500ms;  // for what is under way when the server ends
 
 // TLS 1.2 and later with the ciphers of OpenSSL's default, without renegotiation and compression. Empty: the
 // certificate is none, or not of the key.

@@ -22,8 +22,8 @@ namespace race::server {
 class NetStream {
  public:
   using executor_type = asio::any_io_executor;
-  static constexpr std::size_t kMostAtOnce =
-      64 * 1024;  // of a write [bytes]; the kernel copies it on the sockets' thread
+  /// Of a write [bytes], which the kernel copies on the sockets' thread.
+  static constexpr std::size_t kMostAtOnce = 64 * 1024;
 
   explicit NetStream(asio::ip::tcp::socket socket);
   /// With TLS, of which handshake() is the first step. The context outlives it.

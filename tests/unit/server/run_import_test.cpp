@@ -145,7 +145,7 @@ TEST_F(RunImport, EndsIfTheStoreBecomesAnotherMeanwhile) {
   const auto runs = open();
   const auto journal = blocks(8);
   const auto all = static_cast<std::int64_t>(journal.entries.size());
-  std::atomic<bool> importing = true;
+  std::atomic<bool> importing = true;  // a removal has a part of the entries, too, which is nobody's conflict
   std::jthread other([&, file = sqlite::open(path())](const std::stop_token& end) {
     for (bool deleted = false; !deleted && !end.stop_requested();) {
       sqlite::WriteTransaction transaction(*file);
