@@ -49,10 +49,10 @@ export class HandLines {
 
   /** Why this body does not go with the hand that pulls it. */
   explain(body: string | undefined, reason: string | undefined): void {
+    // Until the next frame has placed it; another reason stays where the one before was.
+    if (body !== this.held || this.why.textContent === "") this.why.style.visibility = "hidden";
     this.held = body;
     this.why.textContent = body === undefined ? "" : (reason ?? "");
-    // Until the next frame has placed it.
-    this.why.style.visibility = "hidden";
   }
 
   /** Places the labels at the ends of the lines, without overlap. */
