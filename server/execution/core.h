@@ -317,6 +317,8 @@ class Core final : public std::enable_shared_from_this<Core>, private RunSink {
   void publish_info();
   void publish_snapshot(void (CoreWatcher::*publish)(const std::string&, Value));
   void publish_next_derivation();
+  /// What info() gives from now on.
+  void keep_info(Value info) EXCLUDES(mutex_);
   void set_info(Value info) EXCLUDES(mutex_);
   Value info_json() const;
 

@@ -52,6 +52,8 @@ void Core::emit(const Progress& progress) {
   record(progress);
   const Value delta = execution_.is_watched() && !progress.edited ? delta_of(progress) : Value();
   const Value steps = progress.derivation ? steps_of(progress) : Value();
+  const bool stands = paused_ || is_over();
+  const Value info = stands ? info_json() : Value();
   const auto [first_print, first_call] = hold_many(progress);
   auto printed = part(progress.printed, first_print);
   auto calls = part(progress.calls, first_call);
@@ -59,9 +61,10 @@ void Core::emit(const Progress& progress) {
   if (progress.entry && progress.begins) units += units_of(*progress.entry);
   held_.add(
       [this, reached = reached_now(), calls = std::move(calls), over = is_over(), printed = std::move(printed), delta,
-       steps, fence = fence_](const Error* failure) {
+       steps, info, fence = fence_](const Error* failure) {
         if (failure) return;
         set_reached(reached);
+        if (!info.is_null()) keep_info(info);  // first: who hears of the end and asks at once is told of it, too
         for (const std::string& text : printed) resources_.watcher.printed(id_, text);
         make_calls(resources_.host, id_, fence, calls, over);
         if (!delta.is_null()) resources_.watcher.state_changed(id_, delta);
@@ -69,7 +72,7 @@ void Core::emit(const Progress& progress) {
       },
       units);
   if (progress.edited && execution_.is_watched()) publish_snapshot(&CoreWatcher::state_replaced);
-  if (paused_ || is_over()) publish_info();
+  if (stands) publish_info();
 }
 
 // What is more than one piece of what a macro step prints and calls, and is said before the rest of it. Returns how
@@ -206,11 +209,13 @@ void Core::publish_info() {
   });
 }
 
+void Core::keep_info(Value info) {
+  const services::MutexLock lock(mutex_);
+  info_ = std::move(info);
+}
+
 void Core::set_info(Value info) {
-  {
-    const services::MutexLock lock(mutex_);
-    info_ = info;
-  }
+  keep_info(info);
   // Counters move with every input; the list of cores hears of what else changes.
   Dict news = info.as_dict();
   for (const char* counter : {"step", "micro", "waiting"}) news.erase(counter);
