@@ -1,0 +1,64 @@
+"""Writes a draft as a document in the form of api/skills.md, so that RACE-One opens it as time lines."""
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from .refusal import Refused
+from .skills import Skill
+from .tasks import ROOT, Draft, Step, Task, steps_of
+
+Json = Any
+
+
+def document_of(draft: Draft, skills: Mapping[str, Skill]) -> dict[str, Json]:
+    """The document. Refused: the server has not the skill of a step."""
+    for step in steps_of(draft).values():
+        if step.skill not in skills:
+            raise Refused(f"the server has no skill {step.skill}")
+    linked = {step.skill for step in steps_of(draft).values()}
+    library = {name: state for skill in linked for name, state in skills[skill].library.items() if name in draft.library}
+    keys = sorted({key for skill in linked for key in skills[skill].services()})
+    types = {key: kind for skill in linked for key, kind in skills[skill].types.items()}
+    nodes = [task_node(task, following, skills) for task, following in with_next(draft.tasks)]
+    ends = [f"chi.{draft.tasks[-1].name}.port.success"]
+    errors = [f"chi.{task.name}.port.error" for task in draft.tasks]
+    return {"rcm": 1, "name": draft.name, "services": {key: types[key] for key in keys if key in types},
+            "library": [library[name] for name in draft.library if name in library],
+            "root": composite(ROOT, draft.title, nodes, ends, errors)}
+
+
+def with_next(items: Sequence[Any]) -> list[tuple[Any, str | None]]:
+    """Each with the name of the one after it."""
+    return list(zip(items, [*(item.name for item in items[1:]), None], strict=True))
+
+
+def task_node(task: Task, following: str | None, skills: Mapping[str, Skill]) -> dict[str, Json]:
+    last = task.steps[-1]
+    skill = skills[last.skill]
+    ends = [skill.nominal, *skill.outcomes, *(skill.errors if last.goes_on else ())]
+    stops = [f"chi.{step.name}.port.{port}" for step in task.steps if not step.goes_on for port in skills[step.skill].errors]
+    nodes = [step_node(step, onward, skills[step.skill]) for step, onward in with_next(task.steps)]
+    node = composite(task.name, task.title, nodes, [f"chi.{last.name}.port.{port}" for port in ends], stops)
+    return leading(node, ["success"], following)
+
+
+def step_node(step: Step, following: str | None, skill: Skill) -> dict[str, Json]:
+    """All that does not stop the task leads to the next step: also what a search has not found, which the pick then says."""
+    values = [{"name": name, "value": value} for name, value in step.values.items()]
+    takes = [{"name": name, "from": f"chi.{source}.res.{result}"} for name, (source, result) in step.takes.items()]
+    node = {"state": step.name, "link": skill.name, **({"parameters": values + takes} if values or takes else {})}
+    return leading(node, [skill.nominal, *skill.outcomes, *(skill.errors if step.goes_on else ())], following)
+
+
+def leading(node: dict[str, Json], ports: Sequence[str], to: str | None) -> dict[str, Json]:
+    """The node with these ports leading to a sibling; none: nowhere."""
+    if to is None:
+        return node
+    declared = {port["name"]: port for port in node.get("ports", [])}
+    return {**node, "ports": [*({**port, "to": to} if name in ports else port for name, port in declared.items()),
+                              *({"name": name, "to": to} for name in ports if name not in declared)]}
+
+
+def composite(name: str, title: str, nodes: list[dict[str, Json]], ends: Sequence[str], stops: Sequence[str]) -> dict[str, Json]:
+    """A task: it ends with `success` by one of `ends`, with `error` by one of `stops`."""
+    ports = [{"name": "success", "when": " or ".join(ends)}, {"name": "error", "when": " or ".join(stops) or "False"}]
+    return {"state": name, "children": nodes, "first": nodes[0]["state"], "ports": ports, "meta": {"title": title}}

@@ -1,0 +1,106 @@
+"""What is to be run, as tasks of steps that link skills: a task for each move. compose.py writes it."""
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from .scene import Scene
+from .search import Move
+
+ROOT = "Sorting"  # the state that has the tasks
+HOME = "home"  # the taught pose in which the arm hides nothing from the camera
+LOWEST = 0.02  # [m]: the tool takes flat parts here, as SearchObject says
+SLACK = 0.002  # [m] above the table from which a part falls
+OPENING = 0.08  # [m] between the fingers when they go around a part; the widest is 0.05
+Json = Any
+
+
+@dataclass(frozen=True)
+class Step:
+    """A link to a skill. `takes`: parameter -> (step, result). `goes_on`: an error of it leads to the next step, else it stops the task."""
+
+    name: str
+    skill: str
+    values: Mapping[str, Json] = field(default_factory=dict)
+    takes: Mapping[str, tuple[str, str]] = field(default_factory=dict)
+    goes_on: bool = False
+
+
+@dataclass(frozen=True)
+class Task:
+    """Steps that are done one after the other. `label`: of the part that they move."""
+
+    name: str
+    title: str
+    steps: tuple[Step, ...]
+    label: str | None = None
+
+
+@dataclass(frozen=True)
+class Draft:
+    """A document before it is written. `library`: the library states that it has."""
+
+    name: str
+    title: str
+    tasks: tuple[Task, ...]
+    library: tuple[str, ...]
+
+
+def pose_name(label: str, spot: str) -> str:
+    """The name of the taught pose at which a part is put down: at most 32 characters."""
+    return re.sub(r"[^A-Za-z0-9_-]", "_", f"plan_{spot}_{label}")[:32]
+
+
+def poses_of(moves: Sequence[Move], scene: Scene, heights: Mapping[str, float], home: Mapping[str, Json]) -> dict[str, Json]:
+    """What the database has to know: each place, as the tool is there with the part between its fingers, pointing down.
+
+    `heights` are those of parts that cannot be seen now. A taught pose has joints, too, which `PlaceAt` does not use, and no
+    operation computes: they are those of `home`.
+    """
+    known = {**heights, **{label: part.height for label, part in scene.parts.items()}}
+    position = lambda move: [*move.at, max(known[move.label], LOWEST) + SLACK]
+    return {f"pose_{pose_name(move.label, move.spot)}": {"pose": {"position": position(move), "orientation": [1, 0, 0, 0]}, "q": home["q"]}
+            for move in moves}
+
+
+def task_of(number: int, move: Move, speed: float) -> Task:
+    """A part is looked for, picked and placed, or only placed, if it is held."""
+    place = Step("Place", "PlaceAt", {"pose": pose_name(move.label, move.spot), "speed": speed})
+    pick = (Step("Aside", "MoveTo", {"pose": HOME, "speed": speed}), Step("Search", "SearchObject", {"labels": [move.label]}),
+            Step("Pick", "PickFound", {"speed": speed, "opening": OPENING}, {"found": ("Search", "found")}))
+    title = f"{move.label} to {move.spot.replace('_', ' ')}"
+    return Task(f"Move{number}_{identifier(move.label)}", title[:40], (place,) if move.held else (*pick, place), move.label)
+
+
+def sorting(name: str, moves: Sequence[Move], speed: float) -> Draft:
+    """All moves, one after the other, told to who stands by; then the arm goes out of the way."""
+    text = f"I sort: {', '.join(f'{move.label} to {move.spot}' for move in moves)}"
+    say = Step("Say", "Say", {"text": text[:200]}, goes_on=True)
+    tell = Task("Tell", "Say what comes", (say, Step("Wait", "WaitTime", {"duration": 0.5})))
+    end = Task("End", "Out of the way", (Step("Aside", "MoveTo", {"pose": HOME, "speed": speed}),))
+    return draft(name, "Sort parts", (tell, *(task_of(number, move, speed) for number, move in enumerate(moves, 1)), end))
+
+
+def going_aside(name: str, speed: float) -> Draft:
+    """After an error: the tool rises from between the parts, and the arm goes out of the camera's view."""
+    steps = (Step("Up", "MoveBy", {"direction": "up", "distance": 0.1, "speed": speed}, goes_on=True),
+             Step("Aside", "MoveTo", {"pose": HOME, "speed": speed}))
+    return draft(name, "Go out of the way", (Task("Aside", "Out of the way", steps),))
+
+
+def calibrating(name: str) -> Draft:
+    return draft(name, "Calibrate the camera", (Task("Calibrate", "Calibrate the camera", (Step("Calibrate", "CalibrateCamera"),)),))
+
+
+def draft(name: str, title: str, tasks: tuple[Task, ...]) -> Draft:
+    """With the skills that it links; what these link, `check` finds missing."""
+    return Draft(name, title, tasks, tuple(dict.fromkeys(step.skill for task in tasks for step in task.steps)))
+
+
+def identifier(text: str) -> str:
+    return re.sub(r"\W", "_", text, flags=re.ASCII)
+
+
+def steps_of(draft: Draft) -> dict[str, Step]:
+    """The steps by their paths."""
+    return {f"{ROOT}/{task.name}/{step.name}": step for task in draft.tasks for step in task.steps}
