@@ -184,6 +184,9 @@ class Skills(unittest.TestCase):
         self.assertEqual(SKILLS["SearchObject"].outcomes, ("none",))
         self.assertIn("no_part", SKILLS["PickFound"].errors)
         self.assertEqual((SKILLS["AskPerson"].nominal, SKILLS["AskPerson"].outcomes), ("yes", ("no",)))
+        ports = [{"name": "success"}, {"name": "no", "meta": {"advice": "?"}}, {"name": "best", "meta": {"nominal": True}}]
+        marked = Skill({"state": "Marked", "ports": ports}, {}, {})
+        self.assertEqual((marked.nominal, marked.outcomes, marked.errors), ("best", ("success",), ("no",)))
         self.assertEqual(SKILLS["PickFound"].services(), {"robot", "gripper", "timer"})
         self.assertEqual(SKILLS["SearchObject"].services(), {"obj_rec", "db", "timer"})
         state = {"entry": "svc.a.b()", "meta": {"do": "svc.c.d()"}, "children": [{"ports": [{"when": "svc.e.f"}]}]}
@@ -205,7 +208,8 @@ class Compose(unittest.TestCase):
     """The form of api/skills.md, as web/shared/timeline reads it."""
 
     DRAFTS = (tasks.sorting("sorting", MOVES, 1.0), tasks.going_aside("sorting", 1.0), tasks.calibrating("sorting"),
-              tasks.sorting("sorting", [dataclasses.replace(MOVES[0], held=True)], 1.0))
+              tasks.sorting("sorting", [dataclasses.replace(MOVES[0], held=True)], 1.0),
+              tasks.draft("looking", "Look", (tasks.Task("Look", "Look", (tasks.Step("Search", "SearchObject"),)),)))
 
     def check_task(self, task, document):
         library = {state["state"]: state for state in document["library"]}
@@ -337,6 +341,10 @@ class Repair(unittest.TestCase):
             error = {"path": path, "code": code, "message": "it is there"}
             with self.assertRaisesRegex(Refused, f"{error['path']}: {error['code']}"):
                 repair.repaired(draft, [error], SKILLS)
+            fast = tasks.sorting("sorting", MOVES, 1.2)
+            beside = {"path": "Sorting/End/Aside", "code": "out_of_range", "message": ""}  # can be mended
+            with self.assertRaises(Refused):
+                repair.repaired(fast, [beside, {**error, "code": "syntax"}], SKILLS)
 
 
 class Tables(unittest.TestCase):
