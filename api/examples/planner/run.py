@@ -1,8 +1,9 @@
 """Sorts: looks, plans, writes, mends what `check` refuses, runs, follows, and plans again after what went wrong."""
+import contextlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
-from race_client import Client, Update
+from race_client import Client, RaceError, Update
 
 from . import repair, tasks
 from .compose import document_of
@@ -89,7 +90,8 @@ class Sorter:
             return failure
         finally:
             if not is_over:
-                self._race.cores.abort(core)
+                with contextlib.suppress(RaceError):
+                    self._race.cores.delete(core)  # what it moves stops
 
     def _accepted(self, draft: Draft) -> Draft:
         """The draft, mended until nothing is wrong with it."""
