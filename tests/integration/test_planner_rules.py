@@ -9,12 +9,14 @@ import unittest
 from pathlib import Path
 
 import planners
+from played_server import PlayedServer
 from skills import DOCUMENT
 
 from planner import repair, tasks
 from planner.compose import document_of
 from planner.goal import GRID, Goal, check_goal, check_scene, is_in_reach, read_goal
 from planner.refusal import Refused
+from planner.run import PLANS, Sorter
 from planner.scene import Part, Scene, best_of, part_of
 from planner.search import CLEARANCE, Move, Problem, find_moves, problem_of
 from planner.skills import Skill, services_in
@@ -151,6 +153,9 @@ class Search(unittest.TestCase):
         found = find_moves(problem_of(Goal({"Cube": "A1"}), scene(holds=True, Box="A1"), "Cube"))
         self.assertEqual([(move.label, move.held) for move in found], [("Cube", True), ("Box", False), ("Cube", False)])
 
+    def test_a_part_that_is_held_does_not_stand_where_it_is_seen(self):
+        self.assertEqual(moves({"Cube": "A1"}, scene(holds=True, Cube="A2"), "Cube"), [("Cube", "A1")])
+
     def test_without_room_it_says_so(self):
         places = {"A": (0.5, 0.0), "B": (0.5, 0.2)}
         full = scene(Cube=places["A"], Box=places["B"])
@@ -251,6 +256,11 @@ class Compose(unittest.TestCase):
             self.assertEqual({step.skill for step in tasks.steps_of(draft).values()}, set(draft.library))
             self.assertTrue(set(document["services"]) <= HERE)
 
+    def test_web_reads_such_a_time_line(self):
+        """What is held there is what is composed here: web/tests/timeline/planned.test.ts."""
+        planned = json.loads((planners.PROJECT / "web/tests/timeline/planned.json").read_text())
+        self.assertEqual(document_of(whole(self.DRAFTS[0]), SKILLS)["root"], planned)
+
     def test_every_required_parameter_has_a_value(self):
         for draft in self.DRAFTS:
             for path, step in tasks.steps_of(draft).items():
@@ -276,29 +286,11 @@ class Compose(unittest.TestCase):
             document_of(self.DRAFTS[0], {name: skill for name, skill in SKILLS.items() if name != "PickFound"})
 
 
-class Checker:
-    """The part of `check` that finds links of which the library has nothing, for Client.documents."""
-
-    def __init__(self):
-        self.documents = self
-
-    def check(self, document, *, name):
-        library = {state["state"] for state in document["library"]}
-        paths = [("Sorting", document["root"]), *((f"library/{state['state']}", state) for state in document["library"])]
-        found = []
-        while paths:
-            path, state = paths.pop()
-            if state.get("link") not in (None, *library):
-                found.append({"path": path, "code": "link_unknown", "message": f"the library has no state `{state['link']}`"})
-            paths += [(f"{path}/{child['state']}", child) for child in state.get("children", []) if "state" in child]
-        return found
-
-
 class Repair(unittest.TestCase):
     DRAFT = tasks.sorting("sorting", MOVES, 1.2)
 
     def errors(self, draft, here=HERE):
-        return repair.errors_of(draft, SKILLS, here, Checker())
+        return repair.errors_of(draft, SKILLS, here, PlayedServer({}))
 
     def test_a_draft_is_refused_once_and_mended(self):
         errors = self.errors(self.DRAFT)
@@ -371,6 +363,127 @@ class Tables(unittest.TestCase):
                 self.assertEqual(table.flaw, "none", seed)
             except Refused as refused:
                 self.assertIn(reasons.get(table.flaw, "?"), str(refused), seed)
+
+
+def nothing(server):
+    """Nobody interferes."""
+
+
+class Sorting(unittest.TestCase):
+    """The whole planner, at a server that plays."""
+
+    CUBE = {"Cube": (0.5, -0.2)}
+
+    def sort(self, server, parts, **how):
+        """What it has said, `sorted` or why not at the end."""
+        lines = []
+        try:
+            Sorter(server, Goal(parts, speed=how.pop("speed", 1.0)), lines.append, **how).sort()
+            return [*lines, "sorted"]
+        except Refused as refused:
+            return [*lines, f"refused: {refused}"]
+
+    def assert_sorted(self, server, parts, plans, **how):
+        out = self.sort(server, parts, **how)
+        self.assertEqual((out[-1], sum(line.startswith("plan ") for line in out)), ("sorted", plans), out)
+        for label, place in parts.items():
+            self.assertLess(math.dist(server.parts[label], GRID[place]), 0.001)
+        self.assertEqual((server.held, server.deleted), (None, []))
+        return out
+
+    def test_parts_are_brought_to_their_places(self):
+        server = PlayedServer({"Cube": GRID["A2"], "Box": GRID["A1"], "Bar": (0.5, -0.3)})
+        out = self.assert_sorted(server, {"Cube": "A1", "Box": "A2"}, 1)
+        self.assertEqual(len(server.runs), 1)
+        told = [line.strip().split(": ")[0] for line in out if "/" in line and "refused" not in line]
+        self.assertEqual(told[:2] + told[-1:], ["Tell/Say", "Tell/Wait", "End/Aside"])
+        self.assertEqual(len(told), 2 + 3 * 4 + 1, "the ports within skills are not told")
+        self.assertIn("  Move1_Cube/Pick: The part is in the gripper", [line.replace("Move1_Box", "Move1_Cube") for line in out])
+
+    def test_what_is_there_already_runs_nothing(self):
+        server = PlayedServer({"Cube": GRID["A1"]})
+        self.assert_sorted(server, {"Cube": "A1"}, 0)
+        self.assertEqual(server.runs, [])
+
+    def test_too_fast_is_as_fast_as_it_goes(self):
+        server = PlayedServer(self.CUBE)
+        out = self.assert_sorted(server, {"Cube": "A1"}, 1, speed=1.2)
+        self.assertIn("  refused: Sorting/Move1_Cube/Pick: out_of_range: `speed` is 0.05 to 1, not 1.2", out)
+
+    def test_after_an_error_it_goes_aside_looks_and_plans_again(self):
+        moved = lambda server: server.parts.update(Cube=[0.55, -0.35])
+        server = PlayedServer(self.CUBE, {"Sorting/Move1_Cube/Pick": [("no_part", moved)]})
+        out = self.assert_sorted(server, {"Cube": "A1"}, 2)
+        self.assertIn("  Move1_Cube/Pick: No part is between the fingers (because of no_part)", out)
+        self.assertEqual([[task["state"] for task in run["root"]["children"]] for run in server.runs],
+                         [["Tell", "Move1_Cube", "End"], ["Aside"], ["Tell", "Move1_Cube", "End"]])
+
+    def test_a_part_in_the_hand_is_put_down_first(self):
+        """Somebody has put another part there; it is not seen between the fingers, but its height is known."""
+        blocked = lambda server: server.parts.update(Box=list(GRID["A1"]))
+        server = PlayedServer({**self.CUBE, "Box": (0.5, -0.4)}, {"Sorting/Move1_Cube/Pick": [(None, blocked)]})
+        out = self.assert_sorted(server, {"Cube": "A1"}, 2)
+        self.assertTrue(any(line.endswith("in the gripper: Cube") for line in out), out)
+        steps = [step["state"] for step in server.runs[2]["root"]["children"][1]["children"]]
+        self.assertEqual(steps, ["Place"], "it is not looked for")
+
+    def test_what_it_goes_on_after_is_not_what_has_stopped_it(self):
+        fails = {"Sorting/Tell/Say": [("no_display", nothing)] * 2, "Sorting/Move1_Cube/Pick": [("blocked", nothing)]}
+        server = PlayedServer(self.CUBE, fails)
+        self.assertIn("stopped: Move1_Cube/Pick: ", self.sort(server, {"Cube": "A1"}, plans=1)[-1])
+        self.assert_sorted(server, {"Cube": "A1"}, 1)
+
+    def test_a_part_that_has_gone_is_refused(self):
+        gone = lambda server: server.parts.clear()
+        server = PlayedServer(self.CUBE, {"Sorting/Move1_Cube/Search": [(None, gone)]})
+        out = self.sort(server, {"Cube": "A1"})
+        self.assertEqual((out[-1], len(server.runs)), ("refused: there is no Cube on the table", 2))
+        self.assertTrue(any("No part was found before this step" in line for line in out), out)
+
+    def test_plans_are_bounded(self):
+        for plans in (1, PLANS):
+            server = PlayedServer(self.CUBE, {"Sorting/Move1_Cube/Pick": [("no_part", nothing)] * 99})
+            out = self.sort(server, {"Cube": "A1"}, plans=plans)
+            self.assertEqual(out[-1], f"refused: {plans} plans were not enough; the last was stopped: Move1_Cube/Pick: "
+                                      "No part is between the fingers (because of no_part)")
+            self.assertEqual(sum(line.startswith("plan ") for line in out), plans)
+
+    def test_a_run_that_succeeds_but_leaves_the_part_elsewhere_is_planned_again(self):
+        slipped = lambda server: server.parts.update(Cube=[0.5, -0.2])
+        server = PlayedServer(self.CUBE, {"Sorting/End/Aside": [(None, slipped)]})
+        self.assert_sorted(server, {"Cube": "A1"}, 2)
+
+    def test_an_arm_that_cannot_go_aside_is_refused(self):
+        fails = {"Sorting/Move1_Cube/Pick": [("collision", nothing)], "Sorting/Aside/Aside": [("no_robot", nothing)]}
+        server = PlayedServer(self.CUBE, fails)
+        self.assertRegex(self.sort(server, {"Cube": "A1"})[-1], "^refused: Aside/Aside: The robot does not answer")
+
+    def test_a_run_that_ends_otherwise_is_refused(self):
+        server = PlayedServer(self.CUBE, status="faulted")
+        self.assertEqual(self.sort(server, {"Cube": "A1"})[-1], "refused: the run is faulted")
+        self.assertEqual(server.deleted, ["sorting"])
+
+    def test_an_unknown_camera_is_calibrated_first(self):
+        server = PlayedServer(self.CUBE)
+        del server.database["o_t_c"]
+        self.assert_sorted(server, {"Cube": "A1"}, 1)
+        self.assertEqual(server.runs[0]["root"]["meta"]["title"], "Calibrate the camera")
+
+    def test_impossible_goals_run_nothing(self):
+        cases = (({"Cube": "A1", "Box": "A1"}, "2 parts are to be at the place A1"), ({"Box": "A1"}, "there is no Box"),
+                 ({"Cup": "A1"}, "the camera knows no part Cup"), ({"Cube": "Z1"}, "there is no place Z1"))
+        for goal, reason in cases:
+            server = PlayedServer(self.CUBE)
+            self.assertIn(f"refused: {reason}", self.sort(server, goal)[-1])
+            self.assertEqual(server.runs, [])
+
+    def test_a_service_that_is_not_there_is_told_before_anything_moves(self):
+        server = PlayedServer(self.CUBE, away=["gripper"])
+        self.assertEqual(self.sort(server, {"Cube": "A1"})[-1],
+                         "refused: Sorting/Move1_Cube/Pick: unavailable: the service gripper is not there")
+        self.assertEqual(server.runs, [])
+        server = PlayedServer(self.CUBE, away=["display", "audio"])
+        self.assert_sorted(server, {"Cube": "A1"}, 1)
 
 
 class Package(unittest.TestCase):

@@ -114,8 +114,8 @@ class Sorter:
             while (update := updates.next(PATIENCE)) is not None:
                 for path, port in fired_by(update, steps):
                     text = self._report(path, steps[path], port, update)
-                    if port in self._skills[steps[path].skill].errors and not steps[path].goes_on:
-                        failure = failure or Failure(text, labels[path])
+                    if port in self._skills[steps[path].skill].errors:
+                        failure = Failure(text, labels[path])  # the last one has stopped it, if anything has
         ended = self._race.cores.get(core)
         if ended["status"] != "ended":
             raise Refused(f"the run is {ended['status']}")
