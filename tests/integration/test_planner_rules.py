@@ -67,8 +67,6 @@ def fewest(problem):
                         after.add(rest | {(part, to)})
         level = after - seen
         seen |= level
-        if not level:
-            return None
 
 
 class Goals(unittest.TestCase):

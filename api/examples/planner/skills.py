@@ -112,17 +112,16 @@ def services_in(state: State) -> set[str]:
 
 
 def read_skills(race: Client, *, besides: str) -> dict[str, Skill]:
-    """The skills of all documents that can run, by name; of two with one name, that of the first document.
+    """The skills by name, of the document that has the most: two documents may have different skills of one name.
 
     `besides`: a document that is none of a library, as the planner writes it itself.
     """
-    found: dict[str, Skill] = {}
-    for summary in race.documents.all():
-        if summary["errors"] or summary["name"] == besides:
-            continue
-        document: Mapping[str, Any] = race.documents.get(summary["name"])["document"]
-        library = {state["state"]: state for state in document.get("library", [])}
-        for state in library.values():
-            if meta_of(state).get("skill") is True:
-                found.setdefault(state["state"], Skill(state, library, document.get("services", {})))
-    return found
+    libraries = [skills_of(race.documents.get(summary["name"])["document"]) for summary in race.documents.all()
+                 if not summary["errors"] and summary["name"] != besides]
+    return max(libraries, key=len, default={})
+
+
+def skills_of(document: Mapping[str, Any]) -> dict[str, Skill]:
+    library = {state["state"]: state for state in document.get("library", [])}
+    services = document.get("services", {})
+    return {name: Skill(state, library, services) for name, state in library.items() if meta_of(state).get("skill") is True}

@@ -11,6 +11,7 @@ from .scene import Point
 # Label -> the body of the demo's scene, and the height of its middle [m].
 BODIES = {"Cube": ("cube_red", 0.02), "Box": ("cube_blue", 0.025), "Block": ("block_green", 0.04), "Tape": ("can_yellow", 0.04),
           "Bar": ("bar_violet", 0.015)}
+DECOY = "fake_yellow"  # looks like a part, but is none
 FREE = ((0.42, -0.42), (0.6, -0.05))  # of the table [m]: parts are put here, or on places
 APART = 0.17  # [m]
 FAR = (0.9, 0.3)  # on the table, but out of reach
@@ -65,8 +66,7 @@ def positions(labels: list[str], by: random.Random) -> dict[str, tuple[Point, fl
 def lay(race: Client, table: Table) -> None:
     """Puts the cell back to its start, and these parts, and no others, on the table. What the database knows stays."""
     race.send(calls.reset_cell({"database": False}))
-    bodies = [body["name"] for body in race.send(calls.get_cell())["bodies"] if body["mass"] > 0]
-    for body in bodies:
+    for body in (*(body for body, _ in BODIES.values()), DECOY):
         race.send(calls.command_person({"act": "take", "part": body}))
     for label, (at, turn) in table.parts.items():
         body, height = BODIES[label]
