@@ -54,8 +54,8 @@ def follow(problem, found):
 def fewest(problem):
     """How many moves are needed at least, by trying all."""
     start = frozenset(problem.start.items())
-    seen, level = {start}, [start]
-    for count in itertools.count():
+    seen, level, count = {start}, [start], 0
+    while True:
         if any(all(dict(at).get(part) == spot for part, spot in problem.goal.items()) for at in level):
             return count
         after = set()
@@ -66,7 +66,7 @@ def fewest(problem):
                     if spot in problem.spots and all(math.dist(xy, problem.positions[each]) >= CLEARANCE for _, each in rest):
                         after.add(rest | {(part, to)})
         level = after - seen
-        seen |= level
+        seen, count = seen | level, count + 1
 
 
 class Goals(unittest.TestCase):
