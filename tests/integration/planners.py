@@ -1,4 +1,5 @@
-"""The worked example planner (api/examples/planner), importable, and as a process, started as its README says."""
+"""The worked example planner (api/examples/planner): importable, and as a process, started as its README says."""
+import os
 import re
 import shlex
 import subprocess
@@ -11,13 +12,27 @@ EXAMPLES = PROJECT / "api" / "examples"
 assert str(LIBRARY) in sys.path
 sys.path.insert(0, str(EXAMPLES))
 
+SEEDS = os.environ.get("RACE_PLANNER_SEEDS", "")
+IS_LONG = SEEDS == "all"  # as deploy/soak asks: all tables, and all that takes long
 README = (EXAMPLES / "planner" / "README.md").read_text()
-COMMAND, OPTIONS = re.search(r"^    (PYTHONPATH=\S+ python3 -m planner) (--seed \d+)$", README, re.MULTILINE).groups()
+COMMAND = re.search(r"^    (PYTHONPATH=\S+ python3 -m planner) --seed", README, re.MULTILINE).group(1)
 ENVIRONMENT = {"PYTHONDONTWRITEBYTECODE": "1", "PATH": "/usr/bin:/bin"}
 
 
+def start(port, *options):
+    """The process of the planner at the server on this port (None: that of its options); what it says is on its stdout."""
+    setting, *words = shlex.split(COMMAND)
+    environment = {**ENVIRONMENT, **dict([setting.split("=", 1)])}
+    server = [] if port is None else ["--server", f"http://127.0.0.1:{port}"]
+    return subprocess.Popen([*words, *options, *server], cwd=PROJECT, env=environment, text=True, stdout=subprocess.PIPE,
+                            stderr=subprocess.STDOUT)
+
+
 def plan(port, *options, timeout=240):
-    """(exit code, lines) of the planner at the server on this port."""
-    line = f"{COMMAND} {shlex.join([*options, '--server', f'http://127.0.0.1:{port}'])}"
-    done = subprocess.run(line, shell=True, cwd=PROJECT, env=ENVIRONMENT, capture_output=True, text=True, timeout=timeout, check=False)
-    return done.returncode, (done.stdout + done.stderr).splitlines()
+    """(exit code, lines) of the planner, when it has ended."""
+    with start(port, *options) as process:
+        try:
+            text, _ = process.communicate(timeout=timeout)
+        finally:
+            process.kill()
+    return process.returncode, text.splitlines()

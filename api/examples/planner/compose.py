@@ -3,7 +3,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from .refusal import Refused
-from .skills import Skill
+from .skills import PLANNED, Skill
 from .tasks import ROOT, Draft, Step, Task, steps_of
 
 Json = Any
@@ -23,7 +23,7 @@ def document_of(draft: Draft, skills: Mapping[str, Skill]) -> dict[str, Json]:
     errors = [f"chi.{task.name}.port.error" for task in draft.tasks]
     return {"rcm": 1, "name": draft.name, "services": {key: types[key] for key in keys if key in types},
             "library": [library[name] for name in draft.library if name in library],
-            "root": composite(ROOT, draft.title, nodes, ends, errors)}
+            "root": composite(ROOT, {"title": draft.title, PLANNED: True}, nodes, ends, errors)}
 
 
 def with_next(items: Sequence[Any]) -> list[tuple[Any, str | None]]:
@@ -32,12 +32,13 @@ def with_next(items: Sequence[Any]) -> list[tuple[Any, str | None]]:
 
 
 def task_node(task: Task, following: str | None, skills: Mapping[str, Skill]) -> dict[str, Json]:
+    """A task that leads to the `following` one. What its last step may end with ends it, but for errors that stop it."""
     last = task.steps[-1]
     skill = skills[last.skill]
     ends = [skill.nominal, *skill.outcomes, *(skill.errors if last.goes_on else ())]
     stops = [f"chi.{step.name}.port.{port}" for step in task.steps if not step.goes_on for port in skills[step.skill].errors]
     nodes = [step_node(step, onward, skills[step.skill]) for step, onward in with_next(task.steps)]
-    node = composite(task.name, task.title, nodes, [f"chi.{last.name}.port.{port}" for port in ends], stops)
+    node = composite(task.name, {"title": task.title}, nodes, [f"chi.{last.name}.port.{port}" for port in ends], stops)
     return leading(node, ["success"], following)
 
 
@@ -58,7 +59,8 @@ def leading(node: dict[str, Json], ports: Sequence[str], to: str | None) -> dict
                               *({"name": name, "to": to} for name in ports if name not in declared)]}
 
 
-def composite(name: str, title: str, nodes: list[dict[str, Json]], ends: Sequence[str], stops: Sequence[str]) -> dict[str, Json]:
+def composite(name: str, meta: Mapping[str, Json], nodes: list[dict[str, Json]], ends: Sequence[str],
+              stops: Sequence[str]) -> dict[str, Json]:
     """A task: it ends with `success` by one of `ends`, with `error` by one of `stops`."""
     ports = [{"name": "success", "when": " or ".join(ends)}, {"name": "error", "when": " or ".join(stops) or "False"}]
-    return {"state": name, "children": nodes, "first": nodes[0]["state"], "ports": ports, "meta": {"title": title}}
+    return {"state": name, "children": nodes, "first": nodes[0]["state"], "ports": ports, "meta": meta}

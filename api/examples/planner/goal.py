@@ -45,7 +45,8 @@ def read_goal(text: str) -> Goal:
 
 
 def is_number(value: object) -> bool:
-    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+    """Whether it is a number that can be a length or a share: neither true, nor NaN, nor beyond all bounds."""
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < 1e6
 
 
 def is_point(value: object) -> bool:

@@ -26,6 +26,7 @@ def errors_of(draft: Draft, skills: Mapping[str, Skill], here: frozenset[str], r
 
 
 def later_errors(draft: Draft, skills: Mapping[str, Skill], here: frozenset[str]) -> list[Error]:
+    """Values out of their ranges, and services that are not there, by step."""
     found: list[Error] = []
     for path, step in steps_of(draft).items():
         skill = skills[step.skill]

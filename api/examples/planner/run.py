@@ -1,97 +1,71 @@
-"""Sorts: looks, plans, writes, mends what `check` refuses, runs, follows, and plans again after what went wrong."""
-import contextlib
-from collections.abc import Callable, Mapping, Sequence
+"""Brings a draft to its end: has it checked, mends it, stores it, runs it, and follows what happens."""
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from race_client import Client, RaceError, Update
 
-from . import repair, tasks
+from . import repair
 from .compose import document_of
-from .goal import Goal, check_goal, check_scene
 from .refusal import Refused
-from .scene import call, is_calibrated, look
-from .search import Move, find_moves, problem_of
-from .skills import Skill, read_skills
-from .tasks import ROOT, Draft, Step
+from .skills import Skill, is_planned
+from .tasks import ROOT, Draft, Step, steps_of
 
-PLANS = 4
-PATIENCE = 120.0  # [s] without an update of the run after which it is ended
-Say = Callable[[str], None]
+UPDATE_TIMEOUT = 120.0  # [s] without an update of the run after which it is ended
+FINAL = ("stopped",)  # ports of steps after which nothing is moved again: a person has stopped the robot
 
 
 @dataclass(frozen=True)
 class Failure:
-    """The error that has stopped a run. `label`: of the part that was moved."""
+    """The error that has stopped a run, and the part that was moved when it came."""
 
     text: str
-    label: str | None
+    label: str | None = None
 
 
-class Sorter:
-    """Sorts the parts of one server. `say` is told each step; `name`: of the document that is written; `plans`: that are run at most."""
+class Runner:
+    """Runs drafts on a server, each as the next revision of the document `name`. `say` is told each step.
 
-    def __init__(self, race: Client, goal: Goal, say: Say = print, *, name: str = "sorting", plans: int = PLANS) -> None:
-        self._race, self._goal, self._say, self._name, self._plans = race, goal, say, name, plans
-        self._skills: Mapping[str, Skill] = {}
-        self._heights: dict[str, float] = {}  # as they were seen last
+    Refused: somebody else has a document of this name.
+    """
 
-    def sort(self) -> None:
-        """Returns when all parts were seen at their places. Refused: why not; RaceError: the server refuses or is gone."""
-        self._skills = read_skills(self._race, besides=self._name)
-        self._say(f"skills: {', '.join(sorted(self._skills))}")
-        check_goal(self._goal, frozenset(call(self._race, "obj_rec", "labels")))
-        self._home = call(self._race, "db", "get", "pose_home")
-        self._calibrate()
-        failure: Failure | None = None
-        for count in range(self._plans + 1):
-            moves = self._plan(failure)
-            if not moves:
-                return
-            if count < self._plans:
-                self._say(f"plan {count + 1}: {', '.join(f'{move.label} to {move.spot}' for move in moves)}")
-                failure = self._run(tasks.sorting(self._name, moves, self._goal.speed))
-                self._go_aside(failure)
-        raise Refused(f"{self._plans} plans were not enough" + (f"; the last was stopped: {failure.text}" if failure else ""))
+    def __init__(self, race: Client, skills: Mapping[str, Skill], say: Callable[[str], None], name: str) -> None:
+        self._race, self._skills, self._say, self._name = race, skills, say, name
+        self._revision = own_revision(race, name)
 
-    def _calibrate(self) -> None:
-        if is_calibrated(self._race):
-            return
-        self._say("nobody knows where the camera stands: it is calibrated")
-        if failure := self._run(tasks.calibrating(self._name)):
+    def run(self, draft: Draft, poses: Mapping[str, Any] | None = None) -> Failure | None:
+        """None: it has succeeded. `poses`: what the database has to know before it starts.
+
+        Refused: it is not accepted, or has not run to its end. RaceError: the server refuses or is gone, or the document was changed by
+        somebody else. Whatever ends this, also Ctrl-C, ends the run.
+        """
+        draft = self._accepted(draft)
+        stored = self._race.documents.put(self._name, document_of(draft, self._skills), if_revision=self._revision,
+                                          is_new=self._revision is None, author="planner", message=draft.title)
+        self._revision = stored["revision"]
+        for key, value in (poses or {}).items():
+            self._race.services.call("db", "add", key, value)
+        core = self._race.cores.create(self._name)
+        try:
+            if core["revision"] != self._revision:
+                raise Refused(f"somebody else has changed the document {self._name}")
+            return self._follow(core["id"], draft)
+        except BaseException:
+            self._stop(core["id"])
+            raise
+
+    def complete(self, draft: Draft) -> None:
+        """As `run`. Refused: also what has stopped it."""
+        failure = self.run(draft)
+        if failure is not None:
             raise Refused(failure.text)
 
-    def _plan(self, failure: Failure | None) -> Sequence[Move]:
-        """The moves that lead from what is seen now to the goal; their places are in the database then."""
-        scene = look(self._race)
-        held = failure.label if failure and scene.holds else None
-        parts = (f"{part.label} ({part.at[0]:.2f}, {part.at[1]:.2f})" for part in scene.parts.values())
-        self._say(f"on the table: {', '.join(parts) or 'nothing'}" + (f"; in the gripper: {held}" if held else ""))
-        check_scene(self._goal, scene, held)
-        moves = find_moves(problem_of(self._goal, scene, held))
-        for key, value in tasks.poses_of(moves, scene, self._heights, self._home).items():
-            call(self._race, "db", "add", key, value)
-        self._heights.update((label, part.height) for label, part in scene.parts.items() if label != held)
-        return moves
-
-    def _go_aside(self, failure: Failure | None) -> None:
-        """After an error the arm may stand anywhere, also in the camera's view."""
-        if failure and (stuck := self._run(tasks.going_aside(self._name, self._goal.speed))):
-            raise Refused(stuck.text)
-
-    def _run(self, draft: Draft) -> Failure | None:
-        """Runs it, once it is accepted; None: it has succeeded."""
-        draft = self._accepted(draft)
-        self._race.documents.put(self._name, document_of(draft, self._skills), author="planner", message=draft.title)
-        core = self._race.cores.create(self._name)["id"]
-        is_over = False
+    def _stop(self, core: str) -> None:
+        """What the run moves stops."""
         try:
-            failure = self._follow(core, draft)
-            is_over = True
-            return failure
-        finally:
-            if not is_over:
-                with contextlib.suppress(RaceError):
-                    self._race.cores.delete(core)  # what it moves stops
+            self._race.cores.delete(core)
+        except RaceError as error:
+            self._say(f"core {core} may go on: {error}")
 
     def _accepted(self, draft: Draft) -> Draft:
         """The draft, mended until nothing is wrong with it."""
@@ -106,31 +80,49 @@ class Sorter:
         raise Refused("the document is refused however often it is mended")
 
     def _follow(self, core: str, draft: Draft) -> Failure | None:
-        steps = tasks.steps_of(draft)
+        """Starts it, and tells each step that ends. Of steps that end while the connection is lost, nothing is told."""
+        steps = steps_of(draft)
         labels = {f"{ROOT}/{task.name}/{step.name}": task.label for task in draft.tasks for step in task.steps}
-        failure: Failure | None = None
+        failure = Failure("the run has ended with an error")
         with self._race.cores.follow(core) as updates:
             self._race.cores.start(core)
-            while (update := updates.next(PATIENCE)) is not None:
-                for path, port in fired_by(update, steps):
+            while (update := updates.next(UPDATE_TIMEOUT)) is not None:
+                if update.kind == "disconnected":
+                    self._say(f"  the connection is lost: {update.reason}")
+                for path, port in ended_by(update, steps):
                     text = self._report(path, steps[path], port, update)
-                    if port in self._skills[steps[path].skill].errors:
-                        failure = Failure(text, labels[path])  # the last one has stopped it, if anything has
+                    if port in FINAL:
+                        raise Refused(text)
+                    if port in self._skills[steps[path].skill].errors and not steps[path].goes_on:
+                        failure = Failure(text, labels[path])
         ended = self._race.cores.get(core)
         if ended["status"] != "ended":
             raise Refused(f"the run is {ended['status']}")
-        return None if ended.get("outcome") == "success" else failure or Failure("the run has ended with an error", None)
+        return None if ended.get("outcome") == "success" else failure
 
     def _report(self, path: str, step: Step, port: str, update: Update) -> str:
+        """Says how a step has ended, and why; returns what it has said."""
         why = update.state["state"]["results"].get(path, {}).get("why")
-        skill = self._skills[step.skill]
-        text = f"{path.partition('/')[2]}: {skill.port_title(port)}" + (f" ({why})" if why else "")
+        text = f"{path.partition('/')[2]}: {self._skills[step.skill].port_title(port)}" + (f" ({why})" if why else "")
         self._say(f"  {text}")
         return text
 
 
-def fired_by(update: Update, steps: Mapping[str, Step]) -> list[tuple[str, str]]:
+def ended_by(update: Update, steps: Mapping[str, Step]) -> list[tuple[str, str]]:
     """(path, port) of the steps that have ended with an update."""
     fired = update.delta["fired"] if update.delta is not None else []
     ends = [port.rpartition(".") for port in fired]
     return [(path, port) for path, _, port in ends if path in steps]
+
+
+def own_revision(race: Client, name: str) -> int | None:
+    """The last revision of the document that the planner has written before; None: there is none of this name."""
+    try:
+        entry = race.documents.get(name)
+    except RaceError as error:
+        if error.status == 404:
+            return None
+        raise
+    if not is_planned(entry["document"]):
+        raise Refused(f"the document {name} is not the planner's")
+    return entry["revision"]

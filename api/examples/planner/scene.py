@@ -1,11 +1,9 @@
 """What is on the table: recognised objects, seen from the origin o, and what the gripper holds."""
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
-from race_client import Client, ServiceError
-
-from .refusal import Refused
+from race_client import Client
 
 Point = tuple[float, float]  # x and y in o [m]
 Vector = Sequence[float]
@@ -31,11 +29,14 @@ class Part:
 
 @dataclass(frozen=True)
 class Scene:
-    """`parts` on the table by label, and the `labels` that the camera knows. `holds`: whether there is a part in the gripper."""
+    """`parts` on the table by label. `holds`: whether there is a part in the gripper."""
 
     parts: Mapping[str, Part]
-    labels: frozenset[str]
     holds: bool
+
+    def without(self, label: str | None) -> "Scene":
+        """The scene but for the part in the gripper, which the camera may see there."""
+        return replace(self, parts={each: part for each, part in self.parts.items() if each != label})
 
 
 def rotate(orientation: Vector, v: Vector) -> list[float]:
@@ -65,22 +66,14 @@ def best_of(parts: Sequence[Part]) -> dict[str, Part]:
 
 def is_calibrated(race: Client) -> bool:
     """Whether it is known where the camera stands."""
-    return "o_t_c" in call(race, "db", "list", "o_t_c")
+    return "o_t_c" in race.services.call("db", "list", "o_t_c")
 
 
 def look(race: Client) -> Scene:
-    """The scene now; the arm has to be out of the camera's view."""
-    o_t_c = call(race, "db", "get", "o_t_c")
+    """The scene now; the arm has to be out of the camera's view. ServiceError: why there is none."""
+    o_t_c = race.services.call("db", "get", "o_t_c")
     parts: list[Part] = []
     for _ in range(LOOKS):
-        seen = call(race, "obj_rec", "look")["objects"]
+        seen = race.services.call("obj_rec", "look")["objects"]
         parts += [part for each in seen if (part := part_of(o_t_c, each)) is not None]
-    return Scene(best_of(parts), frozenset(call(race, "obj_rec", "labels")), call(race, "gripper", "state")["holding"])
-
-
-def call(race: Client, service: str, operation: str, *arguments: Any) -> Any:
-    """The result of an operation. Refused: the service has answered with an error."""
-    try:
-        return race.services.call(service, operation, *arguments)
-    except ServiceError as error:
-        raise Refused(f"{service}.{operation}: {error.code}: {error.message}") from None
+    return Scene(best_of(parts), race.services.call("gripper", "state")["holding"])

@@ -5,7 +5,8 @@
     place(p, s)   requires  holding(p), reachable(s), and nothing at s or so near that the fingers would meet it
                   then      at(p, s), hand empty; no more holding(p)
 
-A spot is a named place, or where a part stands at first. A part in the way, also one that is not of the goal, is moved aside.
+A spot is a named place, or `where LABEL was` at first, a name that no place has. A part in the way, also one that is not of the goal,
+is moved aside.
 """
 import heapq
 import itertools
@@ -33,7 +34,8 @@ class Move:
 
 @dataclass(frozen=True)
 class Problem:
-    """`spots` that can be reached; `start`: part -> spot, with spots of parts that cannot be moved; `goal`: part -> spot."""
+    """`spots` that can be reached; `start`: part -> spot, also one that cannot be reached; `positions`: of all these [m] in o;
+    `goal`: part -> spot; `holding`: the part in the gripper, which is not in `start`."""
 
     spots: Mapping[str, Point]
     start: Mapping[str, str]
@@ -55,14 +57,12 @@ class State:
 
 
 def problem_of(goal: Goal, scene: Scene, held: str | None) -> Problem:
-    """The spots and parts of a scene. `held`: the part in the gripper."""
-    positions = {name: at for name, at in goal.places.items() if is_in_reach(at)}
-    spots, start = dict(positions), {}
+    """The spots and parts of a scene, in which the part in the gripper (`held`) is not."""
+    spots = {name: at for name, at in goal.places.items() if is_in_reach(at)}
+    positions, start = dict(spots), {}
     for label, part in sorted(scene.parts.items()):
-        if label == held:
-            continue
-        here = [name for name in spots if is_at(positions[name], part.at)]
-        start[label] = here[0] if here else f"from_{label}"
+        here = [name for name, at in spots.items() if is_at(at, part.at)] if part.upright else []  # what lies is not picked
+        start[label] = here[0] if here else f"where {label} was"
         if not here:
             positions[start[label]] = part.at
             if is_in_reach(part.at) and part.upright:

@@ -7,6 +7,7 @@ from typing import Any
 from race_client import Client
 
 State = Mapping[str, Any]  # of a document (api/schemas/state.json)
+PLANNED = "planned"  # true in `meta` of the root of a document that the planner has written
 CODE = ("entry", "exit", "when", "do", "from", "after")
 SERVICE = re.compile(r"\bsvc\.([A-Za-z_]\w*)")
 
@@ -39,11 +40,11 @@ class Skill:
 
     @property
     def nominal(self) -> str:
-        """The port with which a task goes on."""
+        """The port with which a task goes on; if the skill has errors alone, one that `check` will not know."""
         ports = self._ports()
         marked = [name for name, port in ports.items() if meta_of(port).get("nominal")]
         usual = ["success"] if "success" in ports else []
-        return [*marked, *usual, *(name for name in ports if name not in self.errors)][0]
+        return (*marked, *usual, *(name for name in ports if name not in self.errors), "success")[0]
 
     @property
     def outcomes(self) -> tuple[str, ...]:
@@ -111,17 +112,22 @@ def services_in(state: State) -> set[str]:
     return found
 
 
-def read_skills(race: Client, *, besides: str) -> dict[str, Skill]:
+def read_skills(race: Client) -> dict[str, Skill]:
     """The skills by name, of the document that has the most: two documents may have different skills of one name.
 
-    `besides`: a document that is none of a library, as the planner writes it itself.
+    What the planner has written itself does not count: it has copies.
     """
-    libraries = [skills_of(race.documents.get(summary["name"])["document"]) for summary in race.documents.all()
-                 if not summary["errors"] and summary["name"] != besides]
-    return max(libraries, key=len, default={})
+    documents = [race.documents.get(summary["name"])["document"] for summary in race.documents.all() if not summary["errors"]]
+    return max((skills_of(document) for document in documents if not is_planned(document)), key=len, default={})
 
 
 def skills_of(document: Mapping[str, Any]) -> dict[str, Skill]:
     library = {state["state"]: state for state in document.get("library", [])}
     services = document.get("services", {})
     return {name: Skill(state, library, services) for name, state in library.items() if meta_of(state).get("skill") is True}
+
+
+def is_planned(document: Mapping[str, Any]) -> bool:
+    """Whether the planner has written a document, or draft of whatever shape."""
+    root = document.get("root")
+    return isinstance(root, dict) and meta_of(root).get(PLANNED) is True

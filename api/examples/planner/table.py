@@ -13,7 +13,7 @@ BODIES = {"Cube": ("cube_red", 0.02), "Box": ("cube_blue", 0.025), "Block": ("bl
           "Bar": ("bar_violet", 0.015)}
 DECOY = "fake_yellow"  # looks like a part, but is none
 FREE = ((0.42, -0.42), (0.6, -0.05))  # of the table [m]: parts are put here, or on places
-APART = 0.17  # [m]
+APART, BESIDE = 0.17, 0.14  # [m] between parts: from one that stands anywhere, and from one on a place (the next is 0.15 m away)
 FAR = (0.9, 0.3)  # on the table, but out of reach
 FLAWS = ("none", "absent", "far", "double")  # what makes a goal impossible
 
@@ -52,13 +52,13 @@ def places_for(wanted: list[str], parts: dict[str, tuple[Point, float]], by: ran
 
 
 def positions(labels: list[str], by: random.Random) -> dict[str, tuple[Point, float]]:
-    """Every other part stands on a place, so that it may be in the way."""
+    """Where each part stands, and its turn [rad]. Every other one stands on a place, so that it may be in the way."""
     parts: dict[str, tuple[Point, float]] = {}
     while len(parts) < len(labels):
         (left, near), (right, far) = FREE
         on_place = by.random() < 0.5
         at = by.choice(sorted(GRID.values())) if on_place else (by.uniform(left, right), by.uniform(near, far))
-        if all(math.dist(at, other) >= (0.14 if on_place else APART) for other, _ in parts.values()):
+        if all(math.dist(at, other) >= (BESIDE if on_place else APART) for other, _ in parts.values()):
             parts[labels[len(parts)]] = at, 0.0 if on_place else by.uniform(-1.5, 1.5)
     return parts
 

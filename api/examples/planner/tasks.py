@@ -4,7 +4,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from .scene import Scene
 from .search import Move
 
 ROOT = "Sorting"  # the state that has the tasks
@@ -46,30 +45,29 @@ class Draft:
     library: tuple[str, ...]
 
 
-def pose_name(label: str, spot: str) -> str:
-    """The name of the taught pose at which a part is put down: at most 32 characters."""
-    return re.sub(r"[^A-Za-z0-9_-]", "_", f"plan_{spot}_{label}")[:32]
+def pose_name(number: int, move: Move) -> str:
+    """The name of the taught pose at which the part of a move is put down: at most 32 characters, another one for each number."""
+    return re.sub(r"[^A-Za-z0-9_-]", "_", f"plan_{number}_{move.spot}_{move.label}")[:32]
 
 
-def poses_of(moves: Sequence[Move], scene: Scene, heights: Mapping[str, float], home: Mapping[str, Json]) -> dict[str, Json]:
+def poses_of(moves: Sequence[Move], heights: Mapping[str, float], home: Mapping[str, Json]) -> dict[str, Json]:
     """What the database has to know: each place, as the tool is there with the part between its fingers, pointing down.
 
-    `heights` are those of parts that cannot be seen now. A taught pose has joints, too, which `PlaceAt` does not use, and no
-    operation computes: they are those of `home`.
+    `heights` [m]: of the parts by label, when they stand. A taught pose has joints, too, which `PlaceAt` does not use, and no operation
+    computes: they are those of `home`.
     """
-    known = {**heights, **{label: part.height for label, part in scene.parts.items()}}
-    position = lambda move: [*move.at, max(known[move.label], LOWEST) + SLACK]
-    return {f"pose_{pose_name(move.label, move.spot)}": {"pose": {"position": position(move), "orientation": [1, 0, 0, 0]}, "q": home["q"]}
-            for move in moves}
+    position = lambda move: [*move.at, max(heights[move.label], LOWEST) + SLACK]
+    return {f"pose_{pose_name(number, move)}": {"pose": {"position": position(move), "orientation": [1, 0, 0, 0]}, "q": home["q"]}
+            for number, move in enumerate(moves, 1)}
 
 
 def task_of(number: int, move: Move, speed: float) -> Task:
     """A part is looked for, picked and placed, or only placed, if it is held."""
-    place = Step("Place", "PlaceAt", {"pose": pose_name(move.label, move.spot), "speed": speed})
+    place = Step("Place", "PlaceAt", {"pose": pose_name(number, move), "speed": speed})
     pick = (Step("Aside", "MoveTo", {"pose": HOME, "speed": speed}), Step("Search", "SearchObject", {"labels": [move.label]}),
             Step("Pick", "PickFound", {"speed": speed, "opening": OPENING}, {"found": ("Search", "found")}))
-    title = f"{move.label} to {move.spot.replace('_', ' ')}"
-    return Task(f"Move{number}_{identifier(move.label)}", title[:40], (place,) if move.held else (*pick, place), move.label)
+    title = f"{move.label} to {move.spot}"[:40]
+    return Task(f"Move{number}_{identifier(move.label)}", title, (place,) if move.held else (*pick, place), move.label)
 
 
 def sorting(name: str, moves: Sequence[Move], speed: float) -> Draft:
@@ -82,14 +80,16 @@ def sorting(name: str, moves: Sequence[Move], speed: float) -> Draft:
 
 
 def going_aside(name: str, speed: float) -> Draft:
-    """After an error: the tool rises from between the parts, and the arm goes out of the camera's view."""
+    """After an error, when the arm may stand anywhere: the tool rises from between the parts, and the arm goes out of the camera's view."""
     steps = (Step("Up", "MoveBy", {"direction": "up", "distance": 0.1, "speed": speed}, goes_on=True),
              Step("Aside", "MoveTo", {"pose": HOME, "speed": speed}))
     return draft(name, "Go out of the way", (Task("Aside", "Out of the way", steps),))
 
 
-def calibrating(name: str) -> Draft:
-    return draft(name, "Calibrate the camera", (Task("Calibrate", "Calibrate the camera", (Step("Calibrate", "CalibrateCamera"),)),))
+def calibrating(name: str, speed: float) -> Draft:
+    """Finds out where the camera stands, and stores it."""
+    step = Step("Calibrate", "CalibrateCamera", {"speed": speed})
+    return draft(name, "Calibrate the camera", (Task("Calibrate", "Calibrate the camera", (step,)),))
 
 
 def draft(name: str, title: str, tasks: tuple[Task, ...]) -> Draft:
@@ -98,6 +98,7 @@ def draft(name: str, title: str, tasks: tuple[Task, ...]) -> Draft:
 
 
 def identifier(text: str) -> str:
+    """What is left of a text in the name of a state."""
     return re.sub(r"\W", "_", text, flags=re.ASCII)
 
 

@@ -1,4 +1,4 @@
-// What a program has written in the form of api/skills.md: planned.json is a root by api/examples/planner (tests/integration/test_planner_rules.py
+// What a program has written in the form of api/skills.md: planned.json is a root by api/examples/planner (tests/integration/test_planner_documents.py
 // says so), as it stands before the server gives ids.
 import { expect, test } from "vitest";
 import type { JsonValue } from "../../shared/json";
@@ -34,5 +34,5 @@ test("every step of it has what it needs, but for the places that the planner te
   const { root } = readApplication(planned);
   const here = ["robot", "gripper", "obj_rec", "db", "display", "audio", "timer"].map((key) => ({ key, type: key, available: true }));
   expect(problemsOf(planned, root, here)).toEqual([]);
-  expect(untaughtPoses(root, ["home"]).map(({ pose }) => pose)).toEqual(["plan_A1_Cube", "plan_B2_Box"]);
+  expect(untaughtPoses(root, ["home"]).map(({ pose }) => pose)).toEqual(["plan_1_A1_Cube", "plan_2_B2_Box"]);
 });
