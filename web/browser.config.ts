@@ -17,10 +17,10 @@ const common = {
 };
 const tests = {
   globals: true,
-  testTimeout: 120_000,
-  hookTimeout: 60_000,
+  testTimeout: 240_000,
+  hookTimeout: 120_000,
   // What is waited for comes at once, unless the machine has much to do.
-  expect: { poll: { timeout: 15_000 } },
+  expect: { poll: { timeout: 30_000 } },
 };
 // Vitest runs what has one process for all its files after the others.
 const projects: TestProjectConfiguration[] = [

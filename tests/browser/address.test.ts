@@ -60,7 +60,7 @@ describe("a run", () => {
     await other.locator('.port.is-selected[aria-label="Port Root/Pick/Reach.done"]').waitFor();
     expect(await other.locator('.canvas [data-path="Root/Place"]').count()).toBe(0);
     await other.getByRole("tab", { name: "Time line", selected: true }).waitFor();
-    expect(query(other)).toEqual(query());
+    await expect.poll(() => query(other)).toEqual(query());
     await other.close();
   });
 
@@ -78,7 +78,7 @@ describe("a run", () => {
     await expect.poll(at).toEqual([undefined, undefined, undefined]);
     await page.goForward();
     await page.locator('.port.is-selected[aria-label="Port Root/Pick/Reach.done"]').waitFor();
-    expect(at()).toEqual(["Root/Pick", "Root/Pick/Reach.done", undefined]);
+    await expect.poll(() => at()).toEqual(["Root/Pick", "Root/Pick/Reach.done", undefined]);
   });
 });
 
@@ -89,11 +89,11 @@ describe("a run that goes on", () => {
     await page.goto(`${fixture.url}/pro/?run=${id}`);
     await settled(page);
     await page.getByRole("treeitem", { name: "Root/Tock" }).click();
-    await expect.poll(() => query()["sel"], { timeout: 2000 }).toBe("Root/Tock");
+    await expect.poll(() => query()["sel"]).toBe("Root/Tock");
     // At once, where another entry of the history follows.
     await page.getByRole("treeitem", { name: "Root/Tick" }).click();
     await page.getByRole("tab", { name: "Services" }).click();
-    expect(query()["sel"]).toBe("Root/Tick");
+    expect(await page.evaluate(() => new URL(location.href).searchParams.get("sel"))).toBe("Root/Tick");
     await page.goBack();
     await page.getByRole("treeitem", { name: "Root/Tick", selected: true }).waitFor();
     await fixture.send("POST", `/cores/${id}/stop`);
@@ -128,10 +128,10 @@ describe("a document", () => {
     const edited = query()["edit"];
     await page.goBack();
     await page.getByRole("tab", { name: "Task", selected: true }).waitFor();
-    expect([query()["run"], query()["edit"]]).toEqual([id, undefined]);
+    await expect.poll(() => [query()["run"], query()["edit"]]).toEqual([id, undefined]);
     await page.goForward();
     await page.getByRole("tab", { name: "Edit", selected: true }).waitFor();
-    expect(query()["edit"]).toBe(edited);
+    await expect.poll(() => query()["edit"]).toBe(edited);
   });
 
   it("keeps its place when the state is renamed, and a link leads there", async () => {
@@ -141,6 +141,7 @@ describe("a document", () => {
     await page.getByRole("complementary", { name: "Properties" }).locator(".form-title").getByRole("textbox").fill("Approach");
     await page.keyboard.press("Enter");
     await expect.poll(() => query()["sel"]).toBe("Root/Pick/Approach");
+    await settled(page);
     await edit.node("Root/Pick/Approach").dblclick({ position: { x: 20, y: 8 }, modifiers: ["Control"] });
     await expect.poll(() => query()["in"]).toBe("Root/Pick/Approach");
     const other = await reload(page.url());

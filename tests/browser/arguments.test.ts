@@ -27,6 +27,7 @@ const put = async (name: string, text: string) => {
 };
 const form = (page: Page) => page.getByRole("dialog", { name: /^Arguments of/ });
 const field = (page: Page, name: string) => form(page).getByLabel(name, { exact: false }).and(page.locator(`[name="${name}"]`));
+const hasFocus = (page: Page, name: string) => expect.poll(() => field(page, name).evaluate((input) => input === document.activeElement)).toBe(true);
 const ids = async (): Promise<readonly string[]> => ((await fixture.send("GET", "/cores")) as { cores: { id: string }[] }).cores.map(({ id }) => id);
 /** A run as the server writes it, without spaces. */
 const textOf = async (id: string): Promise<string> => (await (await fetch(`${fixture.url}/api/v1/cores/${id}`)).text()).replace(/\s/g, "");
@@ -71,7 +72,7 @@ it("asks if one has no value, tells what each field expects, and what is wrong",
   await page.getByRole("button", { name: "Load", exact: true }).click();
   await form(page).waitFor();
   await screenshot("arguments");
-  expect(await field(page, "speed").inputValue()).toBe("1.0");
+  await expect.poll(() => field(page, "speed").inputValue()).toBe("1.0");
   expect(await field(page, "speed").evaluate((input) => document.getElementById(input.getAttribute("aria-describedby") ?? "")?.textContent)).toBe("Of the tool a number, in m/s, 0 to 2");
   const before = (await ids()).length;
   await field(page, "count").fill("1.0");
@@ -79,7 +80,7 @@ it("asks if one has no value, tells what each field expects, and what is wrong",
   await form(page).getByRole("button", { name: "Load", exact: true }).click();
   const wrong = form(page).locator(".argument-problem");
   await expect.poll(() => wrong.allTextContents()).toEqual(["count must be a whole number", "speed must be at most 2", "pose needs a value"]);
-  expect(await field(page, "count").evaluate((input) => input === document.activeElement)).toBe(true);
+  await hasFocus(page, "count");
   await screenshot("arguments-wrong");
   expect((await ids()).length).toBe(before);
   await page.keyboard.press("Escape");
@@ -91,6 +92,7 @@ it("sends what is typed by the keyboard alone, to the digit, and nothing that wa
   await page.getByRole("button", { name: "Arguments…" }).focus();
   await page.keyboard.press("Enter");
   await form(page).waitFor();
+  await hasFocus(page, "count");
   const next = async (text: string) => {
     await page.keyboard.press("Control+A");
     await page.keyboard.type(text);

@@ -159,7 +159,7 @@ describe("a step", () => {
     await page.locator('.canvas [data-address="Root/B.next"]').click();
     await press("Control+F10");
     await soon(active).toBe("Root");
-    expect((await seen(id)).core.paused).toBe(true);
+    await soon(async () => (await seen(id)).core.paused).toBe(true);
     await press("F5");
     await soon(active).toBe("Root Root/C");
   });

@@ -24,7 +24,7 @@ describe("the clipboard", () => {
     await select("Root/A");
     await fixture.page.keyboard.press("Control+c");
     await told.getByText("Copied").waitFor();
-    expect(await clipboard()).toContain('"value": 1.0');
+    await expect.poll(() => clipboard()).toContain('"value": 1.0');
     await open("other");
     await select("Root/A");
     await fixture.page.keyboard.press("Control+v");

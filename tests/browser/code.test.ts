@@ -1,7 +1,7 @@
 // Texts of code on the page that edits a document, on the real server: what is offered, explained and underlined.
 import type { Page } from "playwright-core";
 import { findings } from "./axe";
-import { write } from "./editPage";
+import { offered, write } from "./editPage";
 import { openFixture, settled, type Fixture } from "./fixture";
 
 let fixture: Fixture;
@@ -67,9 +67,10 @@ describe("a text of code", () => {
     await screenshot("code-completion");
     expect(await findings(page)).toEqual([]);
     await page.keyboard.type("gras");
+    await offered(page, "grasp");
     await page.keyboard.press("Enter");
     await page.keyboard.type("par.width");
-    expect(await entry(page).innerText()).toBe("svc.gripper.grasp(par.width)");
+    await expect.poll(() => entry(page).innerText()).toBe("svc.gripper.grasp(par.width)");
   });
 
   it("says what a name is, with its unit", async () => {
@@ -83,8 +84,7 @@ describe("a text of code", () => {
   it("underlines a name that means nothing, before it is sent", async () => {
     const { page, screenshot } = fixture;
     await write(entry(page), "res.done = par.widht");
-    await page.locator(".cm-lintRange-error").first().waitFor({ timeout: 1000 });
-    expect(await page.locator(".cm-lintRange-error").allInnerTexts()).toEqual(["done", "widht"]);
+    await expect.poll(() => page.locator(".cm-lintRange-error").allInnerTexts()).toEqual(["done", "widht"]);
     await screenshot("code-mistakes");
   });
 
@@ -92,8 +92,8 @@ describe("a text of code", () => {
     const { page } = fixture;
     await write(entry(page), "x = 1\ny = (x +");
     await page.keyboard.press("Control+Enter");
-    await page.locator(".cm-lintRange-error").first().waitFor({ timeout: 3000 });
-    expect(await page.locator(".field-error").filter({ hasText: "never closed" }).count()).toBe(1);
+    await expect.poll(() => page.locator(".field-error").filter({ hasText: "never closed" }).count()).toBe(1);
+    await page.locator(".cm-lintRange-error").first().waitFor();
   });
 
   it("is given up by Esc, which closes what is offered before, and left by Tab", async () => {
@@ -106,7 +106,7 @@ describe("a text of code", () => {
     await offers.waitFor({ state: "detached" });
     expect(await entry(page).innerText()).toBe("pas");
     await page.keyboard.press("Escape");
-    expect(await entry(page).innerText()).toContain("y = (x +");
+    await expect.poll(() => entry(page).innerText()).toContain("y = (x +");
     await page.keyboard.press("Tab");
     expect(await entry(page).evaluate((element) => element === document.activeElement)).toBe(false);
   });
@@ -120,7 +120,7 @@ describe("operations that no service can accept", () => {
     await write(entry(page), "svc.timer.");
     await marked(page).first().waitFor();
     await screenshot("code-unreachable");
-    expect(await marked(page).allInnerTexts()).toEqual([expect.stringMatching(/^cancel\s*timer can only be in `Idle` here; cancel is accepted in `Running`$/)]);
+    await expect.poll(() => marked(page).allInnerTexts()).toEqual([expect.stringMatching(/^cancel\s*timer can only be in `Idle` here; cancel is accepted in `Running`$/)]);
     expect(await page.locator(".cm-tooltip-autocomplete li").last().getAttribute("class")).toContain("is-unreachable");
     expect(await marked(page).locator(".cm-completionLabel").evaluate((element) => getComputedStyle(element).textDecorationLine)).toBe("line-through");
     // A list of completions belongs to its field, wherever it is in the page.
@@ -128,7 +128,7 @@ describe("operations that no service can accept", () => {
     await page.keyboard.press("Escape");
     await write(entry(page), "svc.timer.start(1)\nsvc.timer.");
     await option(page, "cancel").waitFor();
-    expect(await marked(page).count()).toBe(0);
+    await expect.poll(() => marked(page).count()).toBe(0);
     await page.keyboard.press("Escape");
     await page.keyboard.press("Escape");
   });
@@ -138,22 +138,16 @@ describe("Enter, with a completion open", () => {
   const condition = (page: Page) => page.getByRole("textbox", { name: "Condition" }).first();
   const stored = async () => ((await fixture.send("GET", "/documents/code")) as { document: { root: { actions: { when: string }[] } } }).document.root.actions[0]?.when;
 
-  /** Keys count for what is offered only when that has been there for a moment (75 ms, by CodeMirror). */
-  const offered = async (page: Page) => {
-    await option(page, "False").waitFor();
-    await page.waitForTimeout(150);
-  };
-
   it("takes what changes the text, and else commits it", async () => {
     const { page } = fixture;
     await write(condition(page), "Fals");
-    await offered(page);
+    await offered(page, "False");
     await page.keyboard.press("Enter");
     await expect.poll(() => condition(page).innerText()).toBe("False");
     expect(await stored()).toBe("True");
     await write(condition(page), "");
     await page.keyboard.type("False");
-    await offered(page);
+    await offered(page, "False");
     await page.keyboard.press("Enter");
     await expect.poll(stored).toBe("False");
   });
@@ -167,8 +161,11 @@ describe("the tip over a text of a row", () => {
     await row.locator(".cm-line").filter({ hasText: "par.width" }).getByText("par", { exact: true }).hover();
     await tip.waitFor();
     await screenshot("code-hover-row");
-    const [over, handle] = [await tip.boundingBox(), await row.locator(".row-handle").boundingBox()];
-    expect(over?.x ?? 0).toBeGreaterThanOrEqual((handle?.x ?? 0) + (handle?.width ?? 0));
+    // It gets its place after its text.
+    await expect.poll(async () => {
+      const [over, handle] = [await tip.boundingBox(), await row.locator(".row-handle").boundingBox()];
+      return (over?.x ?? 0) - (handle?.x ?? 0) - (handle?.width ?? 0);
+    }).toBeGreaterThanOrEqual(0);
     // As a hand does that is quicker than the tip: it is there when the row is pressed.
     await row.locator(".row-handle").dispatchEvent("pointerdown", { button: 0, pointerId: 1 });
     await tip.waitFor({ state: "detached" });
@@ -183,14 +180,15 @@ describe("usages", () => {
 
   it("of the name under the cursor lead to where they are, in the library too", async () => {
     const { page, screenshot } = fixture;
+    await settled(page);
     await page.locator('.react-flow [data-path="Root/A"]').click({ position: { x: 20, y: 8 } });
     await entry(page).filter({ hasText: "svc.gripper.stop" }).click();
     await page.keyboard.press("Home");
     for (const key of Array<string>("svc.grip".length).fill("ArrowRight")) await page.keyboard.press(key);
     await page.keyboard.press("Shift+F12");
     await list(page).waitFor();
-    expect(await list(page).getAttribute("aria-label")).toBe("Usages of service gripper");
-    expect(await lines(page)).toEqual([expect.stringMatching(/Root\/A, entry\s+svc\.gripper\.stop\(\)/), expect.stringMatching(/Root\/A\.done, condition\s+svc/), expect.stringMatching(/library\/Grasp, entry\s+svc\.gripper\.grasp/)]);
+    await expect.poll(() => list(page).getAttribute("aria-label")).toBe("Usages of service gripper");
+    await expect.poll(() => lines(page)).toEqual([expect.stringMatching(/Root\/A, entry\s+svc\.gripper\.stop\(\)/), expect.stringMatching(/Root\/A\.done, condition\s+svc/), expect.stringMatching(/library\/Grasp, entry\s+svc\.gripper\.grasp/)]);
     await screenshot("usages");
     expect(await findings(page)).toEqual([]);
     await page.keyboard.press("End");
@@ -211,12 +209,13 @@ describe("usages", () => {
     await expect.poll(() => list(page).getAttribute("aria-label")).toBe("Usages of state Root/B");
     await list(page).getByRole("button", { name: /Root\/A\.done, target/ }).click();
     await expect.poll(() => page.getByRole("combobox", { name: "Leads to" }).evaluate((field) => field === document.activeElement)).toBe(true);
+    await settled(page);
     await page.locator('.react-flow [data-path="Root/C"]').click({ position: { x: 20, y: 8 } });
     await page.keyboard.press("Shift+F12");
     await list(page).filter({ hasText: "Nothing in the document names it." }).waitFor();
     await page.keyboard.press("Escape");
     await list(page).waitFor({ state: "detached" });
-    expect(await focused(page)).toMatch(/^Drawing of/);
+    await expect.poll(() => focused(page)).toMatch(/^Drawing of/);
   });
 });
 
@@ -236,7 +235,7 @@ describe("F2 in a text", () => {
     await page.keyboard.press("Enter");
     await expect.poll(async () => [(await root()).parameters[0]?.name, (await root()).actions[0]?.do]).toEqual(["breadth", "x = 2 * par.breadth"]);
     await expect.poll(() => text.innerText()).toBe("x = 2 * par.breadth");
-    expect(await text.evaluate((field) => field === document.activeElement)).toBe(true);
+    await expect.poll(() => text.evaluate((field) => field === document.activeElement)).toBe(true);
     // Completions that are still computed open nothing over the field that asks.
     await write(text, "x = par.bread");
     await page.keyboard.type("th");

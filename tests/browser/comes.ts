@@ -79,12 +79,14 @@ export async function otherPerson(fixture: Fixture, page: Page): Promise<Coming>
   };
 }
 
-/** The buttons of these names are where they were while each of these is there, and afterwards. */
-export async function expectStill(page: Page, names: readonly string[], ...all: readonly Coming[]): Promise<void> {
+/** The buttons of these names are where they were while each of these is there, and afterwards. `prepare`: the page has the controls then, also if it has lost them meanwhile. */
+export async function expectStill(page: Page, names: readonly string[], prepare: () => Promise<unknown>, ...all: readonly Coming[]): Promise<void> {
   const boxes = () => Promise.all(names.map((name) => page.getByRole("button", { name, exact: true }).boundingBox()));
+  await prepare();
   const before = await boxes();
   expect(before).not.toContain(null);
   for (const { what, comes, goes } of all) {
+    await prepare();
     await comes();
     expect(await boxes(), `${what} has come`).toEqual(before);
     await goes();

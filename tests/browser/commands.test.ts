@@ -127,7 +127,7 @@ describe("the command palette", () => {
     await keys("Enter");
     await expect.poll(() => children("palette")).toEqual(["A", "Barrier", "B", "C", "Both"]);
     expect(await palette.count()).toBe(0);
-    expect(await fixture.page.evaluate(() => document.activeElement?.id)).toBe("edit-canvas");
+    await expect.poll(() => fixture.page.evaluate(() => document.activeElement?.id)).toBe("edit-canvas");
   });
 
   it("leads to the oracle of a state", async () => {
@@ -171,8 +171,10 @@ describe("F5 on the page that edits", () => {
     await fixture.page.keyboard.up("F5");
     await expect.poll(() => fixture.page.getByRole("tab", { name: "Task" }).getAttribute("aria-selected")).toBe("true");
     await keys("F5");
+    const made = async () => (await cores()).filter(({ document }) => document === "run").map(({ status }) => status);
+    await expect.poll(made).toEqual(["ready"]);
     await new Promise((resolve) => setTimeout(resolve, 500));
-    expect((await cores()).filter(({ document }) => document === "run").map(({ status }) => status)).toEqual(["ready"]);
+    expect(await made()).toEqual(["ready"]);
   });
 
   it("says why a draft makes none", async () => {

@@ -20,7 +20,10 @@ async function enter(name: string, as: string): Promise<Page> {
 
 const canvasOf = (page: Page) => page.locator("#edit-canvas");
 const node = (page: Page, path: string) => canvasOf(page).locator(`[data-path="${path}"]`);
-const select = (page: Page, path: string) => node(page, path).click({ position: { x: 20, y: 8 } });
+async function select(page: Page, path: string): Promise<void> {
+  await settled(page);
+  await node(page, path).click({ position: { x: 20, y: 8 } });
+}
 const comments = (page: Page) => page.getByRole("region", { name: "Comments", exact: true });
 const thread = (page: Page, of: string) => comments(page).getByRole("article", { name: `Comment of ${of}` });
 const field = (page: Page) => comments(page).getByRole("textbox", { name: "New comment" });
@@ -46,9 +49,9 @@ describe("comments on states", () => {
     await row(bob, "Root/A").getByRole("img", { name: "1 open comment" }).waitFor();
     await mark(bob, "Root/A").click();
     await thread(bob, "Ada").waitFor();
-    expect(await said(bob, "Ada")).toEqual(["Is <b>this</b> right?\nIt <img src=x onerror=alert(1)> fires at once."]);
+    await expect.poll(() => said(bob, "Ada")).toEqual(["Is <b>this</b> right?\nIt <img src=x onerror=alert(1)> fires at once."]);
     expect(await thread(bob, "Ada").locator("img, p b").count()).toBe(0);
-    expect(await field(ada).inputValue(), "the next comment begins").toBe("");
+    await expect.poll(() => field(ada).inputValue(), { message: "the next comment begins" }).toBe("");
     await expect.poll(() => field(ada).evaluate((element) => element === document.activeElement)).toBe(true);
   });
 
@@ -79,7 +82,7 @@ describe("comments on states", () => {
     const list = ada.getByRole("region", { name: "Open comments" });
     await list.getByRole("button", { name: /barrier Root\/Both/ }).click();
     await thread(ada, "Bob").waitFor();
-    expect(await thread(ada, "Bob").evaluate((element) => element === document.activeElement)).toBe(true);
+    await expect.poll(() => thread(ada, "Bob").evaluate((element) => element === document.activeElement)).toBe(true);
     for (const colorScheme of ["light", "dark"] as const) {
       await ada.emulateMedia({ colorScheme, reducedMotion: "reduce" });
       await select(ada, "Root/A");

@@ -36,7 +36,10 @@ async function open(page: Page, name: string): Promise<void> {
 
 const canvasOf = (page: Page) => page.locator("#edit-canvas");
 const node = (page: Page, path: string) => canvasOf(page).locator(`[data-path="${path}"]`);
-const select = (page: Page, path: string) => node(page, path).click({ position: { x: 20, y: 8 } });
+async function select(page: Page, path: string): Promise<void> {
+  await settled(page);
+  await node(page, path).click({ position: { x: 20, y: 8 } });
+}
 const told = (page: Page) => page.getByRole("log", { name: "Refused edits" });
 const form = (page: Page) => page.getByRole("complementary", { name: "Properties" });
 const doc = (page: Page) => form(page).getByRole("textbox", { name: "Description" });
@@ -95,7 +98,7 @@ describe("two people change the same thing at once", () => {
     }
     await met(ada).getByRole("button", { name: "Take theirs" }).click();
     await expect.poll(() => doc(bob).inputValue()).toBe("from Bob");
-    expect(await met(ada).count(), "she has chosen").toBe(0);
+    await expect.poll(() => met(ada).count(), { message: "she has chosen" }).toBe(0);
     expect(await told(ada).getByRole("listitem").count()).toBe(0);
   });
 
@@ -138,14 +141,14 @@ describe("two people change the same thing at once", () => {
     await told(ada).getByText(/^Bob has deleted state Root\/A, in which you were writing/).waitFor();
     await ada.getByText("1 unsent text").click();
     await ada.getByRole("button", { name: /^Copy an element that is gone/ }).click();
-    expect(await ada.evaluate(() => navigator.clipboard.readText())).toBe("a long text");
+    await expect.poll(() => ada.evaluate(() => navigator.clipboard.readText())).toBe("a long text");
     await fixture.screenshot("conflict-gone", ada);
     await canvasOf(bob).focus();
     await bob.keyboard.press("Control+Z");
     await node(ada, "Root/A").waitFor();
     await settled(ada);
     await select(ada, "Root/A");
-    expect(await doc(ada).inputValue()).toBe("a long text");
+    await expect.poll(() => doc(ada).inputValue()).toBe("a long text");
   });
 
   it("an edit of what is gone is refused with what it would have written", async () => {
@@ -160,7 +163,7 @@ describe("two people change the same thing at once", () => {
     release();
     const line = told(ada).getByRole("listitem").filter({ hasText: "doc of what is gone: “too late”" });
     await line.getByRole("button", { name: "Copy" }).click();
-    expect(await ada.evaluate(() => navigator.clipboard.readText())).toBe("too late");
+    await expect.poll(() => ada.evaluate(() => navigator.clipboard.readText())).toBe("too late");
   });
 
   it("an undo that the other has overtaken is refused, and says by whom", async () => {

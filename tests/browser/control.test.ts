@@ -1,15 +1,20 @@
 // The controls of the cell on the real server: taken, seen by everybody, asked for, given back, lost; the modes, what is moved by hand, and edits that are confirmed.
-import { devices, type Page } from "playwright-core";
+import { devices, type Locator, type Page } from "playwright-core";
 import { watchArm, type Arm } from "./arm";
 import { findings } from "./axe";
 import { expectStill, otherPerson, secondFinger, slowRobot } from "./comes";
+import { tap } from "./fingers";
 import { openFixture, settled, type Fixture } from "./fixture";
+import { holding } from "./prepare";
 
 const kSoon = { timeout: 20_000 };
+/** Of what a page does that may lose the controls meanwhile. */
+const kHeld = { timeout: 8000 };
 
 const bar = (page: Page) => page.getByRole("region", { name: "Controls of the cell" });
 const panel = (page: Page) => page.getByRole("region", { name: "Manual control" });
 const take = (page: Page) => bar(page).or(panel(page)).getByRole("button", { name: "Take the controls" }).first();
+const giveBack = (page: Page) => bar(page).getByRole("button", { name: "Give back" });
 const lost = (page: Page) => page.getByRole("alert").filter({ hasText: "You have LOST the controls" });
 const modeButton = (page: Page) => page.getByRole("button", { name: / mode$/ });
 
@@ -53,7 +58,7 @@ describe("the controls of the cell", () => {
     }
     for (const context of page.context().browser()?.contexts() ?? [])
       for (const each of context.pages())
-        if (await bar(each).getByRole("button", { name: "Give back" }).isVisible()) await bar(each).getByRole("button", { name: "Give back" }).click();
+        if (await giveBack(each).isVisible()) await giveBack(each).click(kHeld).catch(() => undefined);
   });
 
   const control = async () => (await fixture.send("GET", "/control")) as Control;
@@ -90,40 +95,64 @@ describe("the controls of the cell", () => {
     await take(on).click();
     await held(on).waitFor();
   }
-  async function setMode(on: Page, name: "Execution" | "Programming"): Promise<void> {
-    await panel(on).getByRole("button", { name, exact: true }).click();
-    await on.getByRole("button", { name: `${name} mode` }).waitFor();
-  }
-  async function start(on: Page): Promise<string> {
+  /** Does what needs the controls, also again: a machine that has much to do may keep the page from its signs of life. */
+  const withControls = (on: Page, act: () => Promise<unknown>) => holding(() => hold(on), held(on), act);
+  const setMode = (on: Page, name: "Execution" | "Programming") =>
+    withControls(on, async () => {
+      await panel(on).getByRole("button", { name, exact: true }).click(kHeld);
+      await on.getByRole("button", { name: `${name} mode` }).waitFor(kHeld);
+    });
+  /** Shows a run that moves to and fro, when it is started. */
+  async function load(on: Page): Promise<string> {
     const { id } = (await fixture.send("POST", "/cores", { document: "toAndFro" })) as { readonly id: string };
     await open(on, `below=manual&run=${id}`);
     await settled(on);
     return id;
   }
 
+  /** Lets that run go on, which the page asks about the first time; again if it was paused meanwhile, as the page has lost the controls. */
+  function goOn(answer: RegExp, before: (question: Locator) => Promise<unknown> = () => Promise.resolve()): () => Promise<void> {
+    let isAnswered = false;
+    return async () => {
+      await page.getByRole("toolbar", { name: "Run" }).getByRole("button", { name: /^(Start|Resume)$/ }).click(kHeld);
+      if (!isAnswered) {
+        const question = page.getByRole("alertdialog", { name: "Before it moves" });
+        await before(question);
+        await question.getByRole("button", { name: answer }).click(kHeld);
+        isAnswered = true;
+      }
+      await expect.poll(arm.moves, kHeld).toBe(true);
+    };
+  }
+
   it("are nobody's until somebody takes them; the mode is said in a word", async () => {
     await page.waitForTimeout(500);
     expect(await holder()).toBeNull();
-    expect(await modeButton(page).innerText()).toBe("Execution");
+    await expect.poll(() => modeButton(page).innerText(), kSoon).toBe("Execution");
     expect(await bar(page).count()).toBe(0);
-    expect(await panel(page).innerText()).toContain("Nothing is moved by hand: take the controls first.");
+    await expect.poll(() => panel(page).innerText(), kSoon).toContain("Nothing is moved by hand: take the controls first.");
     expect(await findings(page)).toEqual([]);
     await fixture.screenshot("control-free-1366");
   });
 
   it("are taken by a button, and another page sees that and is refused in advance", async () => {
     const second = await openSecond();
-    await hold(page);
-    expect((await holder())?.by).toBe("somebody at 127.0.0.1");
-    await page.waitForTimeout(1500);
-    expect(await holder(), "they stay").not.toBeNull();
-    await bar(second).getByText("somebody at 127.0.0.1 has the controls").waitFor();
+    await withControls(page, async () => {
+      expect((await holder())?.by).toBe("somebody at 127.0.0.1");
+      await page.waitForTimeout(1500);
+      expect(await holder(), "they stay").not.toBeNull();
+    });
+    await expect.poll(async () => {
+      await hold(page);
+      return bar(second).getByText("somebody at 127.0.0.1 has the controls").isVisible();
+    }, kSoon).toBe(true);
     const { id } = (await fixture.send("POST", "/cores", { document: "toAndFro" })) as { readonly id: string };
     await second.getByRole("combobox", { name: "Watched run" }).selectOption(id);
     const button = second.getByRole("button", { name: "Start", exact: true });
-    await expect.poll(() => button.getAttribute("title"), kSoon).toContain("somebody at 127.0.0.1 has the controls");
-    expect(await button.isDisabled()).toBe(true);
-    expect(await panel(second).getByRole("button", { name: "Programming", exact: true }).isDisabled()).toBe(true);
+    await expect.poll(async () => {
+      await hold(page);
+      return [await button.getAttribute("title"), await button.isDisabled(), await panel(second).getByRole("button", { name: "Programming", exact: true }).isDisabled()];
+    }, kSoon).toEqual([expect.stringContaining("somebody at 127.0.0.1 has the controls"), true, true]);
     for (const [width, height] of [[1366, 768], [2560, 1440], [390, 844]] as const) {
       await second.setViewportSize({ width, height });
       await second.waitForTimeout(400);
@@ -132,35 +161,51 @@ describe("the controls of the cell", () => {
     }
     await hold(page);
     expect(await findings(second)).toEqual([]);
-    await hold(page);
-    await bar(page).getByRole("button", { name: "Give back" }).click();
-    await expect.poll(holder, kSoon).toBeNull();
-    expect(await lost(page).count(), "who gives them back has not lost them").toBe(0);
+    await withControls(page, async () => {
+      await giveBack(page).click(kHeld);
+      await expect.poll(holder, kSoon).toBeNull();
+      expect(await lost(page).count(), "who gives them back has not lost them").toBe(0);
+    });
     await second.context().close();
   });
 
   it("are asked for by another page: refused by one at the cell, then allowed, and who had them is told at once", async () => {
     const second = await openSecond();
-    await hold(page);
-    const first = await holder();
-    const ask = panel(second).getByRole("button", { name: "Ask to take over" });
-    await ask.click();
     const request = page.getByRole("group", { name: "Request for the controls" });
-    await request.waitFor();
-    expect(await request.innerText()).toContain("You lose them if this is allowed");
-    expect(await page.evaluate(() => document.activeElement?.textContent), "the focus stays").not.toMatch(/Allow|Refuse/);
-    await request.getByRole("button", { name: "Refuse" }).press("Enter");
-    await second.getByRole("alert").filter({ hasText: "You do not get the controls" }).waitFor();
-    expect((await holder())?.number).toBe(first?.number);
+    /** Asks once more, if the page has lost the controls before it has answered: then there was nobody to be asked. */
+    const asked = (answer: () => Promise<unknown>) =>
+      holding(
+        async () => {
+          for (const left of ["Give back", "Ask no more", "I have read this"]) {
+            const button = second.getByRole("button", { name: left }).first();
+            if (await button.isVisible()) await button.click(kHeld).catch(() => undefined);
+          }
+          await hold(page);
+        },
+        held(page),
+        async () => {
+          await panel(second).getByRole("button", { name: "Ask to take over" }).click(kHeld);
+          await request.waitFor(kHeld);
+          await answer();
+        },
+      );
+    await asked(async () => {
+      const first = await holder();
+      await expect.poll(() => request.innerText(), kHeld).toContain("You lose them if this is allowed");
+      expect(await page.evaluate(() => document.activeElement?.textContent), "the focus stays").not.toMatch(/Allow|Refuse/);
+      await request.getByRole("button", { name: "Refuse" }).press("Enter", kHeld);
+      await second.getByRole("alert").filter({ hasText: "You do not get the controls" }).waitFor(kHeld);
+      expect((await holder())?.number).toBe(first?.number);
+    });
     await second.getByRole("button", { name: "I have read this" }).click();
 
-    await ask.click();
-    await request.waitFor();
-    await fixture.screenshot("control-asking-1366", second);
-    await request.getByRole("button", { name: "Allow" }).click();
-    await held(second).waitFor();
-    await lost(page).waitFor();
-    expect(await bar(page).innerText()).toContain("What you moved by hand has stopped");
+    await asked(async () => {
+      await fixture.screenshot("control-asking-1366", second);
+      await request.getByRole("button", { name: "Allow" }).click(kHeld);
+      await held(second).waitFor(kHeld);
+      await lost(page).waitFor(kHeld);
+    });
+    await expect.poll(() => bar(page).innerText(), kSoon).toContain("What you moved by hand has stopped");
     expect(await findings(page)).toEqual([]);
     await fixture.screenshot("control-lost-1366");
     await heldScreenshot("control-held-1366", second);
@@ -176,13 +221,21 @@ describe("the controls of the cell", () => {
     await phone.goto(`${fixture.url}/display/?name=phone`);
     await bar(phone).getByText("Execution mode").waitFor();
     await fixture.screenshot("control-display", phone);
-    await bar(phone).getByRole("button", { name: "Take the controls" }).tap();
-    await bar(phone).getByText("You have the controls").waitFor();
-    await panel(page).getByRole("button", { name: "Ask to take over" }).click();
-    await phone.getByRole("group", { name: "Request for the controls" }).waitFor();
-    await phone.getByRole("button", { name: "Allow" }).tap();
-    await held(page).waitFor();
-    await lost(phone).waitFor();
+    const mark = bar(phone).getByText("You have the controls", { exact: true });
+    const take = async () => {
+      const read = page.getByRole("button", { name: "I have read this" });
+      if (await read.isVisible()) await read.click(kHeld).catch(() => undefined);
+      if (await mark.isVisible()) return;
+      await tap(bar(phone).getByRole("button", { name: "Take the controls" }));
+      await mark.waitFor();
+    };
+    await holding(take, mark, async () => {
+      await panel(page).getByRole("button", { name: "Ask to take over" }).click(kHeld);
+      await phone.getByRole("group", { name: "Request for the controls" }).waitFor(kHeld);
+      await tap(phone.getByRole("button", { name: "Allow" }), kHeld);
+      await held(page).waitFor(kHeld);
+      await lost(phone).waitFor(kHeld);
+    });
     expect(await findings(phone)).toEqual([]);
     await fixture.screenshot("control-display-lost", phone);
     await phone.context().close();
@@ -191,14 +244,15 @@ describe("the controls of the cell", () => {
   it("are given back by a page that is hidden, frozen or left, and not taken again", async () => {
     const second = await openSecond();
     for (const [event, why] of [["visibilitychange", "this page was hidden"], ["freeze", "this page was frozen"], ["pagehide", "this page was left"]] as const) {
-      await hold(second);
-      // Without a screen, a browser hides no page.
-      await second.evaluate((event) => {
-        Object.defineProperty(document, "hidden", { configurable: true, get: () => event === "visibilitychange" });
-        (event === "pagehide" ? window : document).dispatchEvent(new Event(event));
-      }, event);
-      await expect.poll(holder, kSoon).toBeNull();
-      expect(await lost(second).innerText()).toContain(why);
+      await withControls(second, async () => {
+        // Without a screen, a browser hides no page.
+        await second.evaluate((event) => {
+          Object.defineProperty(document, "hidden", { configurable: true, get: () => event === "visibilitychange" });
+          (event === "pagehide" ? window : document).dispatchEvent(new Event(event));
+        }, event);
+        await expect.poll(holder, kSoon).toBeNull();
+        await expect.poll(() => lost(second).innerText(), kHeld).toContain(why);
+      });
       await second.waitForTimeout(500);
       expect(await holder()).toBeNull();
     }
@@ -232,18 +286,22 @@ describe("the controls of the cell", () => {
     });
     await lost(page).waitFor();
     expect(await holder()).toBeNull();
-    expect(await lost(page).innerText()).toMatch(/this page stood still for \d+ ms|you have not the controls/);
+    await expect.poll(() => lost(page).innerText(), kSoon).toMatch(/this page stood still for \d+ ms|you have not the controls/);
   });
 
   it("let who has them set the mode, by keyboard alone; in programming mode nothing begins without them", async () => {
-    const id = await start(page);
-    await panel(page).getByRole("button", { name: "Take the controls" }).focus();
-    await page.keyboard.press("Enter");
-    await held(page).waitFor();
-    const programming = panel(page).getByRole("button", { name: "Programming", exact: true });
-    await programming.focus();
-    await page.keyboard.press("Space");
-    await expect.poll(async () => (await control()).mode, kSoon).toBe("programming");
+    const id = await load(page);
+    const mode = async () => (await control()).mode;
+    const takeByKey = async () => {
+      await panel(page).getByRole("button", { name: "Take the controls" }).focus();
+      await page.keyboard.press("Enter");
+      await held(page).waitFor();
+    };
+    await holding(takeByKey, held(page), async () => {
+      await panel(page).getByRole("button", { name: "Programming", exact: true }).focus();
+      await page.keyboard.press("Space");
+      await expect.poll(mode, kHeld).toBe("programming");
+    });
     await bar(page).getByText("Programming mode, reduced speed 250 mm/s").waitFor();
     for (const [width, height] of [[1366, 768], [2560, 1440], [390, 844]] as const) {
       await page.setViewportSize({ width, height });
@@ -257,42 +315,41 @@ describe("the controls of the cell", () => {
     await heldScreenshot("control-programming-dark");
     await page.emulateMedia({ colorScheme: "light" });
     await page.waitForTimeout(500);
-    await hold(page);
-    await bar(page).getByRole("button", { name: "Give back" }).press("Enter");
+    await withControls(page, () => giveBack(page).press("Enter", kHeld));
     const button = page.getByRole("button", { name: "Start", exact: true });
     await expect.poll(() => button.getAttribute("title"), kSoon).toContain("in programming mode, take the controls first");
-    await hold(page);
-    await button.click();
-    await page.getByRole("alertdialog", { name: "Before it moves" }).getByRole("button", { name: /^Start/ }).click();
-    await expect.poll(arm.moves, kSoon).toBe(true);
-
-    await panel(page).getByRole("button", { name: "Execution", exact: true }).click();
-    const asks = page.getByRole("alertdialog", { name: "Before the mode changes" });
-    expect(await asks.innerText()).toContain(`Run ${id} is paused, and what moves stops.`);
-    await asks.getByRole("button", { name: "Change to execution" }).click();
-    await expect.poll(async () => (await control()).mode, kSoon).toBe("execution");
+    const start = goOn(/^Start/);
+    await withControls(page, async () => {
+      await start();
+      await panel(page).getByRole("button", { name: "Execution", exact: true }).click(kHeld);
+      const asks = page.getByRole("alertdialog", { name: "Before the mode changes" });
+      await expect.poll(() => asks.innerText(), kHeld).toContain(`Run ${id} is paused, and what moves stops.`);
+      await asks.getByRole("button", { name: "Change to execution" }).click(kHeld);
+      await expect.poll(mode, kHeld).toBe("execution");
+    });
     await expect.poll(async () => (await statusOf(id)).paused, kSoon).toBe(true);
     await expect.poll(arm.moves, kSoon).toBe(false);
   });
 
   it("are needed by a run that is supervised, which is paused without them", async () => {
-    const id = await start(page);
+    const id = await load(page);
     await hold(page);
     await page.evaluate(() => sessionStorage.clear());
-    await page.getByRole("button", { name: "Start", exact: true }).click();
-    const asks = page.getByRole("alertdialog", { name: "Before it moves" });
-    const box = asks.getByRole("checkbox", { name: /^Supervised/ });
-    expect(await box.isChecked()).toBe(false);
-    await box.check();
-    await asks.getByRole("button", { name: /^Start/ }).click();
-    await expect.poll(arm.moves, kSoon).toBe(true);
-    await bar(page).getByRole("button", { name: "Give back" }).click();
+    const start = goOn(/^Start/, async (question) => {
+      const box = question.getByRole("checkbox", { name: /^Supervised/ });
+      expect(await box.isChecked()).toBe(false);
+      await box.check(kHeld);
+    });
+    await withControls(page, async () => {
+      await start();
+      await giveBack(page).click(kHeld);
+    });
     await expect.poll(async () => (await statusOf(id)).paused, kSoon).toBe(true);
     await expect.poll(arm.moves, kSoon).toBe(false);
   });
 
   it("confirm edits of a run that moves something", async () => {
-    const id = await start(page);
+    const id = await load(page);
     await fixture.send("PUT", `/cores/${id}/live`, { live: true });
     const second = await openSecond();
     await second.getByRole("combobox", { name: "Watched run" }).selectOption(id);
@@ -309,15 +366,19 @@ describe("the controls of the cell", () => {
     await confirm.waitFor();
     const others = second.getByRole("button", { name: `Confirm revision ${revision + 1}` });
     await others.waitFor();
-    expect([await others.isDisabled(), await others.getAttribute("title")]).toEqual([true, "somebody at 127.0.0.1 has the controls"]);
+    await expect.poll(async () => {
+      await hold(page);
+      return [await others.isDisabled(), await others.getAttribute("title")];
+    }, kSoon).toEqual([true, "somebody at 127.0.0.1 has the controls"]);
     await fixture.screenshot("control-confirm-other", second);
     expect(await findings(second)).toEqual([]);
     await heldScreenshot("control-confirm");
-    await hold(page);
-    await confirm.click();
+    await withControls(page, async () => {
+      if (await confirm.isVisible()) await confirm.click(kHeld);
+      await waiting.waitFor({ state: "detached", ...kHeld });
+    });
     await second.context().close();
-    await waiting.waitFor({ state: "detached" });
-    expect(((await fixture.send("GET", `/cores/${id}`)) as { readonly revision: number }).revision).toBe(revision + 1);
+    await expect.poll(async () => ((await fixture.send("GET", `/cores/${id}`)) as { readonly revision: number }).revision, kSoon).toBe(revision + 1);
   });
 
   it("call for a motion while a button is held, end it at once when it is not, and call no more", async () => {
@@ -335,8 +396,10 @@ describe("the controls of the cell", () => {
     await open(other);
     const plus = panel(other).getByRole("button", { name: "Joint 1 plus, while held" });
     await expect.poll(() => plus.getAttribute("title"), kSoon).toBe("take the controls first");
-    await hold(other);
-    expect([await plus.isDisabled(), await plus.getAttribute("title")]).toEqual([true, "this needs programming mode"]);
+    await expect.poll(async () => {
+      await hold(other);
+      return [await plus.isDisabled(), await plus.getAttribute("title")];
+    }, kSoon).toEqual([true, "this needs programming mode"]);
     await setMode(other, "Programming");
     expect(await findings(other)).toEqual([]);
     for (const [width, height] of [[390, 844], [2560, 1440], [1366, 768]] as const) {
@@ -344,70 +407,89 @@ describe("the controls of the cell", () => {
       await other.waitForTimeout(400);
       await heldScreenshot(`control-jog-${width}`, other);
     }
-    await hold(other);
-    const stands = { joints: [0, 0, 0, 0, 0, 0, 0] };
-    const ended = async (kwargs: Readonly<Record<string, unknown>>) => {
-      await expect.poll(() => calls.slice(-2), kSoon).toEqual([{ operation: "jog", kwargs }, { operation: "stop", kwargs: {} }]);
-      const { length } = calls;
-      await other.waitForTimeout(300);
-      expect(calls.length, "nothing comes later").toBe(length);
-      calls.length = 0;
+    /** What ends what has called for `wanted`: the last calls are that of a motion that stands, `stands`, and that of a stop. */
+    const jogged = ([wanted, stands]: readonly [object, object], press: () => Promise<unknown>, letGo: () => Promise<unknown>, later = () => Promise.resolve()) =>
+      withControls(other, async () => {
+        calls.length = 0;
+        try {
+          try {
+            await press();
+            await expect.poll(() => calls.length, kHeld).toBeGreaterThan(3);
+            expect(calls[0]).toEqual({ operation: "jog", kwargs: wanted });
+          } finally {
+            await letGo();
+          }
+          await expect.poll(() => calls.slice(-2), kHeld).toEqual([{ operation: "jog", kwargs: stands }, { operation: "stop", kwargs: {} }]);
+          const { length } = calls;
+          await other.waitForTimeout(300);
+          expect(calls.length, "nothing comes later").toBe(length);
+        } finally {
+          await later();
+        }
+      });
+    const { mouse, keyboard } = other;
+    const joint = [{ joints: [expect.closeTo(0.08) as unknown, 0, 0, 0, 0, 0, 0] }, { joints: [0, 0, 0, 0, 0, 0, 0] }] as const;
+    const press = async () => {
+      await plus.hover(kHeld);
+      await mouse.down();
     };
-    await plus.hover();
-    await other.mouse.down();
-    await expect.poll(() => calls.length, kSoon).toBeGreaterThan(3);
-    expect(calls[0]).toEqual({ operation: "jog", kwargs: { joints: [expect.closeTo(0.08), 0, 0, 0, 0, 0, 0] } });
-    await other.mouse.up();
-    await ended(stands);
-    await other.mouse.down();
-    await expect.poll(() => calls.length, kSoon).toBeGreaterThan(0);
-    await other.mouse.move(10, 10);
-    await other.mouse.up();
-    await ended(stands);
+    await jogged(joint, press, () => mouse.up());
+    const slip = async () => {
+      await mouse.move(10, 10);
+      await mouse.up();
+    };
+    await jogged(joint, press, slip);
 
     await panel(other).getByRole("combobox", { name: "Tool along" }).selectOption("tool");
-    await panel(other).getByRole("button", { name: "Tool along Z minus, while held" }).focus();
-    await other.keyboard.down("Space");
-    await other.keyboard.down("Space"); // its repeat is no press
-    await expect.poll(() => calls.length, kSoon).toBeGreaterThan(3);
-    expect(calls[0]).toEqual({ operation: "jog", kwargs: { linear: [0, 0, expect.closeTo(-0.025)], frame: "tool" } });
-    await other.keyboard.up("Space");
-    await ended({ linear: [0, 0, 0], frame: "tool" });
-    await other.keyboard.down("Enter");
-    await expect.poll(() => calls.length, kSoon).toBeGreaterThan(0);
-    await other.evaluate(() => window.dispatchEvent(new Event("blur")));
-    await ended({ linear: [0, 0, 0], frame: "tool" });
-    await other.keyboard.up("Enter");
+    const tool = [{ linear: [0, 0, expect.closeTo(-0.025) as unknown], frame: "tool" }, { linear: [0, 0, 0], frame: "tool" }] as const;
+    const byKey = (key: string) => async () => {
+      await panel(other).getByRole("button", { name: "Tool along Z minus, while held" }).focus();
+      await keyboard.down(key);
+      await keyboard.down(key); // its repeat is no press
+    };
+    await jogged(tool, byKey("Space"), () => keyboard.up("Space"));
+    await jogged(tool, byKey("Enter"), () => other.evaluate(() => window.dispatchEvent(new Event("blur"))), () => keyboard.up("Enter"));
     await setMode(other, "Execution");
     await other.context().close();
   });
 
   it("move the robot while a button is held, by mouse and by key, and no longer", async () => {
     await open(page);
-    await hold(page);
     const plus = panel(page).getByRole("button", { name: "Joint 1 plus, while held" });
-    expect([await plus.isDisabled(), await plus.getAttribute("title")]).toEqual([true, "this needs programming mode"]);
+    await expect.poll(async () => {
+      await hold(page);
+      return [await plus.isDisabled(), await plus.getAttribute("title")];
+    }, kSoon).toEqual([true, "this needs programming mode"]);
     await setMode(page, "Programming");
-    await plus.hover();
-    await page.mouse.down();
-    await expect.poll(arm.moves, kSoon).toBe(true);
-    await page.waitForTimeout(1000);
-    expect(arm.moves()).toBe(true);
-    await page.mouse.up();
-    await expect.poll(arm.moves, { timeout: 2000 }).toBe(false);
-    expect((await control()).leases).toContainEqual({ service: "robot", core: expect.stringMatching(/^control\//) as unknown });
+    await withControls(page, async () => {
+      try {
+        await plus.hover(kHeld);
+        await page.mouse.down();
+        await expect.poll(arm.moves, kHeld).toBe(true);
+        await page.waitForTimeout(1000);
+        expect(arm.moves()).toBe(true);
+      } finally {
+        await page.mouse.up();
+      }
+      await expect.poll(arm.moves, { timeout: 2000 }).toBe(false);
+      expect((await control()).leases).toContainEqual({ service: "robot", core: expect.stringMatching(/^control\//) as unknown });
+    });
 
-    const up = panel(page).getByRole("button", { name: "Tool along Z plus, while held" });
-    await up.focus();
-    await page.keyboard.down("Space");
-    await expect.poll(arm.moves, kSoon).toBe(true);
-    await page.keyboard.up("Space");
-    await expect.poll(arm.moves, { timeout: 2000 }).toBe(false);
-    await page.keyboard.down("Enter");
-    await expect.poll(arm.moves, kSoon).toBe(true);
-    await page.evaluate(() => window.dispatchEvent(new Event("blur")));
-    await expect.poll(arm.moves, { timeout: 2000 }).toBe(false);
-    await page.keyboard.up("Enter");
+    /** Held by this key, it moves until the button is let go so. */
+    const moves = (key: string, letGo: () => Promise<unknown>) =>
+      withControls(page, async () => {
+        try {
+          await panel(page).getByRole("button", { name: "Tool along Z plus, while held" }).focus();
+          await page.keyboard.down(key);
+          await expect.poll(arm.moves, kHeld).toBe(true);
+          await letGo();
+          await expect.poll(arm.moves, { timeout: 2000 }).toBe(false);
+        } finally {
+          await page.keyboard.up(key);
+        }
+      });
+    await moves("Space", () => page.keyboard.up("Space"));
+    await moves("Enter", () => page.evaluate(() => window.dispatchEvent(new Event("blur"))));
   });
 
   it("leave the buttons that move the arm where they are, whatever comes by itself", async () => {
@@ -417,7 +499,8 @@ describe("the controls of the cell", () => {
     const name = "Joint 1 plus, while held";
     const held = panel(page).getByRole("button", { name, exact: true });
     await held.scrollIntoViewIfNeeded();
-    await expectStill(page, [name, "Tool along Z minus, while held"], secondFinger(page, held), await slowRobot(fixture, page, "toAndFro"), await otherPerson(fixture, page));
+    const coming = [secondFinger(page, held), await slowRobot(fixture, page, "toAndFro"), await otherPerson(fixture, page)];
+    await expectStill(page, [name, "Tool along Z minus, while held"], () => hold(page), ...coming);
     await page.unrouteAll({ behavior: "ignoreErrors" });
   });
 
@@ -426,10 +509,14 @@ describe("the controls of the cell", () => {
     await hold(page);
     await setMode(page, "Programming");
     const gripper = panel(page).getByRole("group", { name: "Gripper gripper" });
-    await gripper.getByRole("button", { name: "Open" }).click();
-    await gripper.getByText("Open.").waitFor();
-    await gripper.getByRole("button", { name: "Close" }).click();
-    await expect.poll(() => gripper.getByRole("status").innerText(), kSoon).not.toBe("");
+    await withControls(page, async () => {
+      await gripper.getByRole("button", { name: "Open" }).click(kHeld);
+      await gripper.getByText("Open.").waitFor(kHeld);
+    });
+    await withControls(page, async () => {
+      await gripper.getByRole("button", { name: "Close" }).click(kHeld);
+      await expect.poll(() => gripper.getByRole("status").innerText(), kHeld).not.toBe("");
+    });
     await fixture.screenshot("control-gripper");
   });
 });

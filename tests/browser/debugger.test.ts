@@ -72,7 +72,7 @@ describe("a breakpoint", () => {
     expect((await stateOf(id)).active).toContain("Pick/GetPose");
     await reached().getByRole("button", { name: "GetPose.success, tested" }).click();
     await soon(() => page.getByRole("complementary", { name: "Properties" }).getByRole("heading", { level: 2 }).innerText()).toBe("success");
-    expect(await page.getByRole("group", { name: "Breakpoints here" }).getByRole("button", { pressed: true }).allInnerTexts()).toEqual(["tested"]);
+    await soon(() => page.getByRole("group", { name: "Breakpoints here" }).getByRole("button", { pressed: true }).allInnerTexts()).toEqual(["tested"]);
     await fixture.screenshot("debugger-reached");
     await page.emulateMedia({ colorScheme: "dark" });
     await fixture.screenshot("debugger-reached-dark");
@@ -90,7 +90,7 @@ describe("a breakpoint", () => {
     const condition = rows().getByRole("textbox", { name: "Condition" });
     await condition.fill("parr.key == 1");
     await soon(() => rows().innerText()).toContain("parr is not known here");
-    expect(await condition.getAttribute("aria-invalid")).toBe("true");
+    await soon(() => condition.getAttribute("aria-invalid")).toBe("true");
     await condition.press("Escape");
     await soon(() => rows().innerText()).not.toContain("parr");
     await condition.fill("par.");
@@ -102,7 +102,7 @@ describe("a breakpoint", () => {
     await condition.fill("available(par.key)");
     await condition.press("Enter");
     await soon(async () => (await core(id)).breakpoints).toEqual([others, { ...ofGuest, condition: "available(par.key)" }]);
-    expect(await rows().innerText()).not.toContain("Not in the run");
+    await soon(() => rows().innerText()).not.toContain("Not in the run");
     await rows().getByRole("button", { name: /^Enabled/ }).click();
     await soon(async () => (await core(id)).breakpoints).toEqual([others]);
     await soon(() => dot(kPort).getAttribute("class")).toContain("is-off");
@@ -130,7 +130,10 @@ describe("a breakpoint", () => {
       return status === "running" && paused ? "paused" : status;
     };
     await soon(goesOn).toMatch(/^(paused|ended)$/);
-    if ((await goesOn()) === "paused") await press("F8");
+    if ((await goesOn()) === "paused") {
+      await soon(() => page.getByRole("status", { name: "Run status" }).innerText()).toContain("Paused");
+      await press("F8");
+    }
     await soon(goesOn).toMatch(/^(aborted|ended)$/);
   });
 

@@ -1,5 +1,6 @@
 // The display page on the real server, on a phone: tasks ask, taps answer, the core continues.
 import { devices, type Page } from "playwright-core";
+import { tap } from "./fingers";
 import { openFixture, type Fixture } from "./fixture";
 
 let fixture: Fixture;
@@ -78,18 +79,10 @@ describe("a phone as display", () => {
   let page: Page;
   afterEach(() => page.context().close());
 
-  /**
-   * A key of the keypad, as a person presses it: with a look at the field, and again if nothing has happened. Chromium
-   * takes a touch back that its page does not answer in time, which happens on a machine with too much to do.
-   */
+  /** A key of the keypad, with what the field says then. */
   async function press(key: string, entry: string): Promise<void> {
-    const field = page.getByRole("status", { name: "Number" });
-    const before = await field.textContent();
-    for (let tries = 0; tries < 3 && (await field.textContent()) === before; ++tries) {
-      await button(page, key).tap();
-      for (let waits = 0; waits < 100 && (await field.textContent()) === before; ++waits) await page.waitForTimeout(50);
-    }
-    expect(await field.textContent()).toBe(`${entry}m`);
+    await tap(button(page, key));
+    await expect.poll(() => page.getByRole("status", { name: "Number" }).textContent()).toBe(`${entry}m`);
   }
 
   it("asks, and the core goes on with the button that a finger taps", async () => {
@@ -97,10 +90,10 @@ describe("a phone as display", () => {
     const core = await run("display.ask('The arm has touched something. What now?', ['Continue', 'Skip this part', 'Abort'])");
     await button(page, "Skip this part").waitFor();
     await fixture.screenshot("display-question", page);
-    await button(page, "Skip this part").tap();
+    await tap(button(page, "Skip this part"));
     expect(await outcome(core)).toEqual({ answer: "Skip this part", display: "main" });
     await page.getByText("main", { exact: true }).nth(1).waitFor();
-    expect(await page.getByRole("region", { name: "Question" }).count()).toBe(0);
+    await expect.poll(() => page.getByRole("region", { name: "Question" }).count()).toBe(0);
   });
 
   it("shows how much is done, at the place in its address", async () => {
@@ -111,12 +104,12 @@ describe("a phone as display", () => {
     await run("display.show_progress('Calibrating the camera', 0.4, display='@gripper')");
     const bar = page.getByRole("progressbar", { name: "Calibrating the camera" });
     await bar.waitFor();
-    expect(await bar.evaluate((element) => (element as HTMLProgressElement).position)).toBeCloseTo(0.4);
+    await expect.poll(() => bar.evaluate((element) => (element as HTMLProgressElement).position)).toBeCloseTo(0.4);
     await page.getByText("40 %", { exact: true }).waitFor();
     await fixture.screenshot("display-progress", page);
     await run("display.show_text('Done', display='@gripper')");
     await page.getByText("Done", { exact: true }).waitFor();
-    expect(await bar.count()).toBe(0);
+    await expect.poll(() => bar.count()).toBe(0);
   });
 
   it("has buttons large enough for a thumb, all within the screen", async () => {
@@ -142,12 +135,12 @@ describe("a phone as display", () => {
     await press("Point", "0.");
     await press("2", "0.2");
     await page.getByText("At most 0.11 m").waitFor();
-    expect(await button(page, "OK").isDisabled()).toBe(true);
+    await expect.poll(() => button(page, "OK").isDisabled()).toBe(true);
     await press("Delete", "0.");
     await press("0", "0.0");
     await press("4", "0.04");
     await fixture.screenshot("display-number", page);
-    await button(page, "OK").tap();
+    await tap(button(page, "OK"));
     expect(await outcome(core)).toEqual({ answer: 0.04, display: "main" });
   });
 
@@ -161,9 +154,9 @@ describe("a phone as display", () => {
     await button(page, "OK").waitFor();
     await fixture.screenshot("display-image", page);
     const listening = await listen();
-    await button(page, "Help").tap();
+    await tap(button(page, "Help"));
     expect(await outcome(listening)).toEqual({ button: "Help", display: "main" });
-    await button(page, "OK").tap();
+    await tap(button(page, "OK"));
     expect(await outcome(core)).toEqual({ answer: "OK", display: "main" });
     await run("display.clear()");
     await page.locator("img").waitFor({ state: "detached" });
@@ -176,11 +169,11 @@ describe("several displays", () => {
     const named = await run("display.ask('Only here?', display='right')");
     await right.getByText("Only here?").waitFor();
     expect(await left.getByText("Only here?").count()).toBe(0);
-    await button(right, "OK").tap();
+    await tap(button(right, "OK"));
     expect(await outcome(named)).toEqual({ answer: "OK", display: "right" });
     const both = await run("display.choose('Which way?', ['This', 'That'])");
     await button(right, "This").waitFor();
-    await button(left, "That").tap();
+    await tap(button(left, "That"));
     expect(await outcome(both)).toBe("That");
     await right.getByText("Which way?").waitFor({ state: "detached" });
     await left.context().close();
@@ -201,7 +194,7 @@ describe("several displays", () => {
     const core = await run("display.ask('Still there?')");
     await page.getByText("Still there?").waitFor();
     await page.reload();
-    await button(page, "OK").tap();
+    await tap(button(page, "OK"));
     expect(await outcome(core)).toEqual({ answer: "OK", display: "left" });
     await page.context().close();
   });
@@ -212,7 +205,7 @@ describe("sounds", () => {
     const page = await phone();
     await page.getByText("Touch the screen once to hear sounds.").waitFor();
     expect(await outcome(await run("audio.play('beep')"))).toBe("no_speaker");
-    await page.getByRole("main").tap();
+    await tap(page.getByRole("main"));
     await page.getByText("Touch the screen once to hear sounds.").waitFor({ state: "detached" });
     expect(await outcome(await run("audio.play('success', 0.5, 2)"))).toEqual({ sound: "success", displays: ["main"] });
     await page.context().close();
@@ -226,14 +219,14 @@ describe("a lost connection", () => {
     await button(page, "OK").waitFor();
     await fixture.kill();
     await status(page, "Connection lost");
-    expect(await button(page, "OK").isDisabled()).toBe(true);
+    await expect.poll(() => button(page, "OK").isDisabled()).toBe(true);
     await fixture.screenshot("display-lost", page);
     await fixture.restart();
     await status(page, "Connected");
     // The new server does not know the question.
     await page.getByText("Go on?").waitFor({ state: "detached" });
     const core = await run("display.ask('And now?')");
-    await button(page, "OK").tap();
+    await tap(button(page, "OK"));
     expect(await outcome(core)).toEqual({ answer: "OK", display: "main" });
     await page.context().close();
   });

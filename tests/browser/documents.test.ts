@@ -26,6 +26,12 @@ async function openPanel(page = fixture.page): Promise<void> {
   await panelOf(page).waitFor();
 }
 
+/** What is typed then is searched. */
+async function openByKey(): Promise<void> {
+  await fixture.page.keyboard.press("Control+o");
+  await expect.poll(() => fixture.page.evaluate(() => document.activeElement?.getAttribute("aria-label"))).toBe("Search the documents");
+}
+
 /** What axe-core finds in the light and in the dark theme. */
 async function inBothThemes(): Promise<readonly string[]> {
   const { page, screenshot } = fixture;
@@ -80,36 +86,34 @@ describe("the documents", () => {
     await expect.poll(() => panel().locator(".document-name").allInnerTexts()).toEqual(["pick"]);
     await row("pick").getByRole("button", { name: "pick", exact: true }).click();
     await settled(page);
-    expect([page.url().endsWith("?edit=pick"), await panel().count()]).toEqual([true, 0]);
+    await expect.poll(async () => [page.url().endsWith("?edit=pick"), await panel().count()]).toEqual([true, 0]);
   });
 
   it("are made by a name alone, by keyboard", async () => {
     const { page, send } = fixture;
-    await page.keyboard.press("Control+o");
-    await panel().waitFor();
-    expect(await page.evaluate(() => document.activeElement?.getAttribute("aria-label"))).toBe("Search the documents");
+    await openByKey();
     await page.keyboard.press("Tab");
     await page.keyboard.press("Enter");
     await page.keyboard.type("pick");
     await panel().getByText("There is a document pick.").waitFor();
-    expect(await panel().getByRole("button", { name: "Create" }).isDisabled()).toBe(true);
+    await expect.poll(() => panel().getByRole("button", { name: "Create" }).isDisabled()).toBe(true);
     await page.keyboard.type("-new");
     await page.keyboard.press("Enter");
     await node("pick_new").waitFor();
     expect(await send("GET", "/documents/pick-new")).toMatchObject({ revision: 1, errors: [], document: { root: { state: "pick_new" } } });
-    await page.keyboard.press("Control+o");
+    await openByKey();
     await page.keyboard.type("pick-new");
     await page.keyboard.press("Escape");
     await panel().waitFor({ state: "hidden" });
-    await page.keyboard.press("Control+o");
+    await openByKey();
     await page.keyboard.press("ArrowDown");
     await page.keyboard.press("ArrowDown");
     await page.keyboard.press("ArrowUp");
-    expect(await page.evaluate(() => document.activeElement?.textContent)).toBe("demonstrator");
+    await expect.poll(() => page.evaluate(() => document.activeElement?.textContent)).toBe("demonstrator");
     await page.keyboard.press("ArrowDown");
     await page.keyboard.press("Enter");
     await settled(page);
-    expect(page.url()).toContain("?edit=pick");
+    await expect.poll(() => page.url()).toContain("?edit=pick");
   });
 
   it("that the address names and that are not there can be made, or others be chosen", async () => {
@@ -178,7 +182,7 @@ describe("the documents", () => {
     await uploaded("notes.txt").getByText("not JSON at byte").waitFor();
     await uploaded("large.json").getByText("the file has 4.1 MiB; the server takes at most 4 MiB").waitFor();
     const errors = uploaded("shape.json").getByRole("list").getByRole("listitem");
-    expect(await errors.allInnerTexts()).toEqual([expect.stringMatching(/^R .*first.* type$/)]);
+    await expect.poll(() => errors.allInnerTexts()).toEqual([expect.stringMatching(/^R .*first.* type$/)]);
     await fixture.screenshot("documents-refused");
     expect(await inBothThemes()).toEqual([]);
     expect(await names()).toEqual(before);
@@ -201,7 +205,7 @@ describe("the documents", () => {
     expect(await inBothThemes()).toEqual([]);
     await row("exact-2").getByRole("button", { name: "Delete exact-2" }).click();
     await row("exact-2").waitFor({ state: "detached" });
-    expect(await names()).not.toContain("exact-2");
+    await expect.poll(() => names()).not.toContain("exact-2");
 
     await send("PUT", "/documents/waits", { rcm: 1, root: { state: "Waits", ports: [{ name: "never", when: "False" }] } });
     const { id } = (await send("POST", "/cores", { document: "waits", arguments: {} })) as { id: string };
@@ -236,18 +240,18 @@ describe("a draft", () => {
     await uploaded("faulty.json").getByText("Not stored: 3 errors").waitFor();
     await uploaded("faulty.json").getByRole("button", { name: "Store as a draft" }).click();
     await uploaded("faulty.json").getByText("Stored as faulty, revision 1, a draft with 3 errors").waitFor();
-    expect(await row("faulty").getByRole("button", { name: "New run" }).isDisabled()).toBe(true);
+    await expect.poll(() => row("faulty").getByRole("button", { name: "New run" }).isDisabled()).toBe(true);
     await uploaded("faulty.json").getByRole("button", { name: "Open" }).click();
     await settled(page);
     const errors = page.getByRole("region", { name: "Errors" }).locator("button.error-text");
     await expect.poll(() => errors.count()).toBe(3);
     await page.getByRole("button", { name: "Draft, 3 errors" }).waitFor();
-    expect(await node("Faulty/Pick").getAttribute("data-error")).toBe("2");
-    expect(await page.getByRole("button", { name: "Port Faulty/Pick.done" }).getAttribute("data-error")).toBe("2");
-    expect(await page.getByRole("treeitem", { name: "Faulty/Pick" }).getByRole("img", { name: "2 errors" }).count()).toBe(1);
+    await expect.poll(() => node("Faulty/Pick").getAttribute("data-error")).toBe("2");
+    await expect.poll(() => page.getByRole("button", { name: "Port Faulty/Pick.done" }).getAttribute("data-error")).toBe("2");
+    await expect.poll(() => page.getByRole("treeitem", { name: "Faulty/Pick" }).getByRole("img", { name: "2 errors" }).count()).toBe(1);
     await errors.filter({ hasText: "Place" }).click();
     await page.locator(".port.is-selected").waitFor();
-    expect(await page.locator(".port.is-selected").getAttribute("aria-label")).toBe("Port Faulty/Pick.done");
+    await expect.poll(() => page.locator(".port.is-selected").getAttribute("aria-label")).toBe("Port Faulty/Pick.done");
     await screenshot("draft-1366");
     expect(await inBothThemes()).toEqual([]);
     await page.setViewportSize({ width: 1600, height: 1000 });
@@ -274,7 +278,7 @@ describe("a draft", () => {
     await page.getByRole("button", { name: "Draft, 1 error" }).waitFor();
     await send("POST", "/documents/faulty/edits", { revision: 2, author: "Ann", operations: [set(action, "do", "x = 1")] });
     await page.getByRole("region", { name: "Errors" }).waitFor({ state: "detached" });
-    expect(await page.locator("[data-error], .error-mark, .edit-errors").count()).toBe(0);
+    await expect.poll(() => page.locator("[data-error], .error-mark, .edit-errors").count()).toBe(0);
     // The list that the top bar offers knows it, too.
     const listed = page.getByRole("combobox", { name: "Document" }).locator("option", { hasText: /^faulty/ });
     await expect.poll(() => listed.innerText()).not.toContain("draft");
@@ -310,7 +314,7 @@ describe("without the server", () => {
     for (const name of ["pick", "Duplicate", "Delete", "Download", "New run"]) expect(await row("pick").getByRole("button", { name, exact: true }).isDisabled()).toBe(true);
     await screenshot("documents-offline");
     await fixture.restart();
-    await expect.poll(() => row("pick").getByRole("button", { name: "Delete" }).isDisabled(), { timeout: 15_000 }).toBe(false);
+    await expect.poll(() => row("pick").getByRole("button", { name: "Delete" }).isDisabled()).toBe(false);
   });
 
   it("a document stays open while edits of it wait, and they are made when the server is there again", async () => {
@@ -329,6 +333,6 @@ describe("without the server", () => {
     await page.getByText("kept stays open: the server is lost, and has not taken 1 edit of this page.").waitFor();
     await node("Root/State").waitFor();
     await fixture.restart();
-    await expect.poll(() => children("kept"), { timeout: 15_000 }).toContain("State");
+    await expect.poll(() => children("kept")).toContain("State");
   });
 });

@@ -59,6 +59,12 @@ export function editPage({ page, url, send }: Fixture) {
   };
 }
 
+/** Until a completion that begins so is offered, and counts: keys do when it has been there for a moment (75 ms, by CodeMirror), and is not computed anew. */
+export async function offered(page: Page, begin: string): Promise<void> {
+  await page.locator(".cm-tooltip-autocomplete:not(.cm-tooltip-autocomplete-disabled) li").filter({ hasText: new RegExp(`^${begin}`) }).first().waitFor();
+  await page.waitForTimeout(150);
+}
+
 /** The middle of an element on the screen. */
 export async function middle(page: Page, selector: string): Promise<{ readonly x: number; readonly y: number }> {
   const box = await page.locator(selector).boundingBox();

@@ -21,7 +21,7 @@ describe("a document that is opened for editing", () => {
     await node(page, "Root/A").click({ position: { x: 20, y: 8 } });
     await send("POST", "/documents/task/edits", { compound: { kind: "rename", id: document.root.children[0]?.meta.id ?? "", name: "Approach" }, author: "Ann", revision: 1 });
     await node(page, "Root/Approach").waitFor();
-    expect(await node(page, "Root/Approach").evaluate((element) => element.matches(".is-selected, :has(.is-selected)"))).toBe(true);
+    await expect.poll(() => node(page, "Root/Approach").evaluate((element) => element.matches(".is-selected, :has(.is-selected)"))).toBe(true);
     await screenshot("editor");
   });
 });

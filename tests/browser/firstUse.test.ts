@@ -4,6 +4,7 @@ import { findings } from "./axe";
 import { fingerOn, type Finger } from "./fingers";
 import { openFixture, type Fixture } from "./fixture";
 import { NodeSocket } from "./nodeSocket";
+import { prepareToMove, returnToExecution } from "./prepare";
 
 /** Taps, drags and holds. */
 const kMostTouches = 60;
@@ -93,28 +94,7 @@ describe.each(kScreens)("the first use on a %s", (screen, device) => {
     return share * 0.25 * 0.08;
   }
 
-  /** Takes the controls, also again: a machine that has much to do may lose them. */
-  async function prepare(): Promise<void> {
-    const before = page.getByRole("region", { name: "Before you move the robot" });
-    if ((await before.count()) === 0) return;
-    const take = before.getByRole("button", { name: "Take the controls" });
-    if ((await take.count()) > 0) await finger.tap(take);
-    await page.getByText("You have the controls").waitFor();
-    if (((await fixture.send("GET", "/control")) as { readonly mode: string }).mode !== "programming") await finger.tap(before.getByRole("button", { name: "Programming" }));
-    await before.waitFor({ state: "detached" });
-  }
-
-  /** Back to execution mode, in which a run goes by itself, whoever has the controls. */
-  async function toExecution(): Promise<void> {
-    const mode = page.getByRole("region", { name: "Mode", exact: true });
-    for (let tries = 0; tries < 4 && (await mode.count()) > 0; tries++) {
-      if ((await page.getByText("You have the controls").count()) === 0) await tap("Take the controls");
-      await page.getByText("You have the controls").waitFor();
-      await finger.tap(mode.getByRole("button", { name: "Execution" }));
-      await mode.waitFor({ state: "detached", timeout: 5000 }).catch(() => undefined);
-    }
-    if ((await button("Give back").count()) > 0) await tap("Give back");
-  }
+  const prepare = () => prepareToMove(page, page, (on) => finger.tap(on));
 
   const kWays = [["Back", "Forward"], ["Right", "Left"], ["Down", "Up"]] as const;
 
@@ -194,12 +174,12 @@ describe.each(kScreens)("the first use on a %s", (screen, device) => {
     await tap("Make the application");
     const made = page.getByRole("list", { name: "What the robot will do" }).getByRole("listitem");
     await made.nth(1).waitFor();
-    expect((await made.allInnerTexts()).map((text) => text.split(/\s*\n\s*/))).toEqual([["Pick a part", "part1"], ["Place the part", "place1"]]);
+    await expect.poll(async () => (await made.allInnerTexts()).map((text) => text.split(/\s*\n\s*/))).toEqual([["Pick a part", "part1"], ["Place the part", "place1"]]);
     await looksGood("application", "This is your application");
     await tap("Next");
     await button("Start").waitFor();
     await looksGood("run", "Now the robot does it");
-    await toExecution();
+    await returnToExecution(page, (on) => finger.tap(on));
     await tap("Start");
     await heading("All done").waitFor({ timeout: 120_000 });
     await page.getByText("The part stands where you have shown.").waitFor();
@@ -216,13 +196,13 @@ describe.each(kScreens)("the first use on a %s", (screen, device) => {
   }, kMostTime);
 
   it("does not ask again for what is known, and goes back to what was made", async () => {
-    await button("Back").tap();
+    await tap("Back");
     await page.getByRole("list", { name: "What the robot will do" }).getByText("place1").waitFor();
     await page.reload();
     await page.getByRole("list", { name: "What the robot will do" }).getByText("place1").waitFor();
-    await button("Back").tap();
+    await tap("Back");
     await button("Save as place2").waitFor();
-    expect(await button("Next").isEnabled()).toBe(true);
+    await expect.poll(() => button("Next").isEnabled()).toBe(true);
     await page.goBack();
     await heading("This is your application").waitFor();
     await page.goto(`${fixture.url}/one/?guide=camera`);

@@ -43,15 +43,16 @@ export interface Fixture {
   readonly close: () => Promise<void>;
 }
 
+/** Below those that a system gives to connections: one of these would have the port before the server has it, or while that is started again. */
+const kPorts = { first: 20_000, count: 10_000 };
+
 /** A port that nothing listens on now. */
 export function freePort(): Promise<number> {
-  return new Promise((resolve, reject) => {
+  const port = kPorts.first + Math.floor(Math.random() * kPorts.count);
+  return new Promise((resolve) => {
     const probe = createServer();
-    probe.once("error", reject);
-    probe.listen(0, "127.0.0.1", () => {
-      const address = probe.address();
-      probe.close(() => (typeof address === "object" && address !== null ? resolve(address.port) : reject(new Error("no port"))));
-    });
+    probe.once("error", () => resolve(freePort()));
+    probe.listen(port, "127.0.0.1", () => probe.close(() => resolve(port)));
   });
 }
 
@@ -141,11 +142,24 @@ export async function openPrepared(prepare: (data: string) => void, ...further: 
   }
 }
 
+/** Waits until the page has drawn twice, so that what moves has moved; not for a page that is not seen. */
+export const frames = (page: Page): Promise<void> =>
+  page.evaluate(
+    () =>
+      new Promise<void>((resolve) => {
+        requestAnimationFrame(() => requestAnimationFrame(() => resolve()));
+        setTimeout(resolve, 1000);
+      }),
+  );
+
 /** Waits until the drawing is final: a click on a drawing that is then replaced is lost. */
 export async function settled(page: Page): Promise<void> {
   await page.locator('.canvas[aria-busy="false"]:has(.react-flow, .painted)').waitFor();
-  // It moves to where it fits.
-  const place = () => page.evaluate(() => JSON.stringify(document.querySelector(".canvas [data-path]")?.getBoundingClientRect()));
+  // It moves to where it fits, from frame to frame, which may be slow.
+  const place = async () => {
+    await frames(page);
+    return page.evaluate(() => JSON.stringify(document.querySelector(".canvas [data-path]")?.getBoundingClientRect()));
+  };
   for (let [before, now] = ["", await place()]; before !== now; [before, now] = [now, await place()]) await page.waitForTimeout(60);
 }
 

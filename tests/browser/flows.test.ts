@@ -52,7 +52,7 @@ describe("data flows", () => {
   it("lead from the camera to recognition, and are idle when nobody subscribes", async () => {
     expect(await edge().locator("text").textContent()).toBe("frame");
     expect(await edge().getAttribute("class")).toBe("flow");
-    expect(await fixture.page.getByRole("img", { name: /camera publishes frame to obj_rec, no packets now/ }).count()).toBe(1);
+    await expect.poll(() => fixture.page.getByRole("img", { name: /camera publishes frame to obj_rec, no packets now/ }).count()).toBe(1);
     await idle();
     await fixture.screenshot("flows-idle");
   });
@@ -96,7 +96,7 @@ describe("data flows", () => {
     await fixture.screenshot("flows-cloud");
     await opener().click();
     await canvas().waitFor();
-    expect(await panel().getByRole("radio").count()).toBe(2);
+    await expect.poll(() => panel().getByRole("radio").count()).toBe(2);
   });
 
   it("update the picture, and fit a window of 1280x800", async () => {
@@ -110,8 +110,8 @@ describe("data flows", () => {
 
   it("stop when the picture is closed by key or click, or another tab is opened", async () => {
     await fixture.page.keyboard.press("Escape");
-    expect(await panel().count()).toBe(0);
-    expect(await opener().evaluate((element) => element === document.activeElement)).toBe(true);
+    await expect.poll(() => panel().count()).toBe(0);
+    await expect.poll(() => opener().evaluate((element) => element === document.activeElement)).toBe(true);
     await idle();
     await opener().click();
     await canvas().waitFor();

@@ -27,7 +27,7 @@ async function stateIn(name: string, state: string): Promise<Json | undefined> {
   return without(find(await rootOf(name)));
 }
 const without = (json: Json | undefined): Json | undefined => json && (JSON.parse(JSON.stringify(json, (key, value: unknown) => (key === "meta" ? undefined : value))) as Json);
-const within = (state: () => Promise<unknown>) => expect.poll(state, { timeout: 15_000 });
+const within = (state: () => Promise<unknown>) => expect.poll(state, { timeout: 30_000 });
 
 const form = (page: Page): Locator => page.getByRole("complementary", { name: "Properties" });
 const list = (page: Page, name: string | RegExp): Locator => page.getByRole("region", { name });
@@ -62,7 +62,7 @@ describe("the form of a state", () => {
     await name.press("Enter");
     await within(async () => (await rootOf("names"))["first"]).toBe("Approach");
     await form(page).getByRole("button", { name: "Root" }).waitFor();
-    expect(await name.inputValue()).toBe("Approach");
+    await expect.poll(() => name.inputValue()).toBe("Approach");
   });
 
   it("keeps numbers as they are written", async () => {
@@ -103,15 +103,15 @@ describe("the form of a state", () => {
     await within(async () => (await stateIn("names", "Approach"))?.["results"]).toEqual([{ name: "first" }, { name: "second" }]);
     await page.keyboard.press("Alt+ArrowUp");
     await within(async () => (await stateIn("names", "Approach"))?.["results"]).toEqual([{ name: "second" }, { name: "first" }]);
-    expect(await page.evaluate(() => (document.activeElement as HTMLInputElement).value)).toBe("second");
+    await expect.poll(() => page.evaluate(() => (document.activeElement as HTMLInputElement).value)).toBe("second");
     await page.keyboard.press("Shift+Tab");
-    expect(await focused(page)).toBe("result second, 1 of 2");
+    await expect.poll(() => focused(page)).toBe("result second, 1 of 2");
     await page.keyboard.press("Delete");
     await within(async () => (await stateIn("names", "Approach"))?.["results"]).toEqual([{ name: "first" }]);
-    expect(await focused(page)).toBe("result first, 1 of 1");
+    await expect.poll(() => focused(page)).toBe("result first, 1 of 1");
     await page.keyboard.press("Delete");
     await within(async () => (await stateIn("names", "Approach"))?.["results"]).toBeUndefined();
-    expect(await focused(page)).toBe("Add result");
+    await expect.poll(() => focused(page)).toBe("Add result");
     await page.keyboard.press("Delete");
     expect((await rootOf("names")).children).toHaveLength(2);
   });
@@ -204,6 +204,7 @@ describe("the forms of a barrier, a port and the document", () => {
     await page.keyboard.press("Delete");
     await within(async () => (await rootOf("kinds")).children?.[0]?.["to"]).toEqual(["A"]);
 
+    await settled(page);
     await page.locator('[aria-label^="Port Root/A.done"]').first().click();
     await form(page).getByText("Port in").waitFor();
     await form(page).getByRole("combobox", { name: "Leads to" }).selectOption("B");
@@ -231,7 +232,7 @@ describe("a draft", () => {
     await form(page).page().getByText("1 unsent text").waitFor();
     await page.reload();
     await settled(page);
-    expect(await page.getByText("1 unsent text").count()).toBe(1);
+    await expect.poll(() => page.getByText("1 unsent text").count()).toBe(1);
     expect((await stateIn("drafts", "A"))?.["entry"]).toBe("pass");
 
     const other = await openPage();
@@ -269,10 +270,10 @@ describe("a draft", () => {
     await name.fill("path");
     await name.press("Enter");
     await rows(page, "Parameters").getByText("cannot be parsed").waitFor();
-    expect(await name.inputValue()).toBe("path");
+    await expect.poll(() => name.inputValue()).toBe("path");
     await page.getByText("1 unsent text").waitFor();
     await name.press("Escape");
-    expect(await name.inputValue()).toBe("way");
+    await expect.poll(() => name.inputValue()).toBe("way");
   });
 });
 

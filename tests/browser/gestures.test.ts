@@ -37,7 +37,7 @@ describe("a drag from a port", () => {
     await fixture.page.mouse.up();
     await fixture.page.getByRole("menuitem", { name: "New state here" }).click();
     await expect.poll(() => children("background")).toEqual(["A", "B", "State", "C", "Both"]);
-    expect((await state("background", "B"))?.ports?.[0]?.to).toBe("State");
+    await expect.poll(async () => (await state("background", "B"))?.ports?.[0]?.to).toBe("State");
   });
 
   it.each(["Esc", "pointercancel", "blur"])("is given up by %s", async (way) => {
@@ -48,7 +48,7 @@ describe("a drag from a port", () => {
     if (way === "Esc") await fixture.page.keyboard.press("Escape");
     else if (way === "blur") await fixture.page.evaluate(() => dispatchEvent(new Event("blur")));
     else await fixture.page.evaluate(() => dispatchEvent(new PointerEvent("pointercancel", { pointerId: 1 })));
-    expect(await fixture.page.locator(".drag-line").count()).toBe(0);
+    await expect.poll(() => fixture.page.locator(".drag-line").count()).toBe(0);
     await fixture.page.mouse.up();
     await node("Root/B").click({ position: { x: 20, y: 8 } });
     expect((await state("aborted", "B"))?.ports?.[0]?.to).toBeUndefined();
@@ -82,7 +82,7 @@ describe("a row of the tree", () => {
     await open("tree");
     await drag("Root/B", await part("Root/C", 0.5));
     await expect.poll(async () => (await state("tree", "C"))?.children?.map((child) => child.state)).toEqual(["D", "B"]);
-    expect((await state("tree", "A"))?.ports?.[0]?.to).toBeUndefined();
+    await expect.poll(async () => (await state("tree", "A"))?.ports?.[0]?.to).toBeUndefined();
     await row("Root/C/B").waitFor();
     await drag("Root/C/B", await part("Root/A", 0.1));
     await expect.poll(() => children("tree")).toEqual(["B", "A", "C", "Both"]);
@@ -130,7 +130,7 @@ describe("selecting", () => {
     await open("select");
     await select("Root/A");
     for (const modifier of ["Control", "Shift"] as const) await node(modifier === "Control" ? "Root/B" : "Root/C").click({ position: { x: 20, y: 8 }, modifiers: [modifier] });
-    expect(await canvas.locator(".state.is-selected").count()).toBe(3);
+    await expect.poll(() => canvas.locator(".state.is-selected").count()).toBe(3);
     await fixture.page.keyboard.press("Escape");
     const box = await node("Root").boundingBox();
     if (box === null) throw new Error("Root is not drawn");
@@ -139,7 +139,7 @@ describe("selecting", () => {
     await fixture.screenshot("edit-band");
     await fixture.page.mouse.up();
     await fixture.page.keyboard.up("Shift");
-    expect(await canvas.locator(".is-selected").getAttribute("aria-label")).toBe("State Root");
+    await expect.poll(() => canvas.locator(".is-selected").getAttribute("aria-label")).toBe("State Root");
   });
 
   it("enters with Ctrl and a double click, and opens the state editor without", async () => {
@@ -151,6 +151,7 @@ describe("selecting", () => {
     await fixture.page.keyboard.press("Escape");
     await editor.waitFor({ state: "detached" });
     expect(await fixture.page.getByRole("navigation", { name: "Breadcrumb" }).innerText()).not.toContain("C");
+    await settled(fixture.page);
     await node("Root/C").dblclick({ position: { x: 20, y: 8 }, modifiers: ["Control"] });
     await expect.poll(() => fixture.page.getByRole("navigation", { name: "Breadcrumb" }).innerText()).toContain("C");
     await settled(fixture.page);

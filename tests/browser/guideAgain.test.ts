@@ -37,15 +37,15 @@ describe("making the application of the guide", () => {
     await page.route(kStoring, (route) => route.abort());
     await button("Make the application").click();
     await problem().waitFor();
-    expect(await button("Next").isDisabled()).toBe(true);
+    await expect.poll(() => button("Next").isDisabled()).toBe(true);
     expect([edit(), await documents()]).toEqual([null, []]);
     expect(await findings(page)).toEqual([]);
     await fixture.screenshot("one-guide-again");
     await page.unroute(kStoring);
     await button("Try again").click();
     await steps().nth(1).waitFor();
-    expect([edit(), await documents(), await problem().count()]).toEqual(["first-application", ["first-application"], 0]);
-    expect(await button("Next").isEnabled()).toBe(true);
+    await expect.poll(async () => [edit(), await documents(), await problem().count()]).toEqual(["first-application", ["first-application"], 0]);
+    await expect.poll(() => button("Next").isEnabled()).toBe(true);
   });
 
   it("finds the document whose storing had no answer, and makes no second one", async () => {
@@ -60,7 +60,7 @@ describe("making the application of the guide", () => {
     expect(await documents()).toEqual(["first-application", "first-application-2"]);
     await button("Try again").click();
     await steps().nth(1).waitFor();
-    expect([edit(), await documents()]).toEqual(["first-application-2", ["first-application", "first-application-2"]]);
+    await expect.poll(async () => [edit(), await documents()]).toEqual(["first-application-2", ["first-application", "first-application-2"]]);
   });
 
   it("takes another name where somebody has taken its own meanwhile", async () => {
@@ -68,17 +68,17 @@ describe("making the application of the guide", () => {
     await fixture.send("PUT", "/documents/first-application-3", { rcm: 1, name: "first-application-3", root: { state: "Application" } });
     await button("Make the application").click();
     await steps().nth(1).waitFor();
-    expect(edit()).toBe("first-application-4");
+    await expect.poll(() => edit()).toBe("first-application-4");
   });
 
   it("goes on with an application that was made partly", async () => {
     await fixture.send("PUT", "/documents/first-application-5", { rcm: 1, name: "first-application-5", root: { state: "Application", meta: { id: "root" } } });
     await page.goto(`${fixture.url}/one/?guide=application&part=home&place=home&edit=first-application-5`);
     await page.getByRole("alert").filter({ hasText: "The application is not complete" }).waitFor();
-    expect(await button("Next").isDisabled()).toBe(true);
+    await expect.poll(() => button("Next").isDisabled()).toBe(true);
     const before = await documents();
     await button("Try again").click();
     await steps().nth(1).waitFor();
-    expect([edit(), await steps().count(), await documents()]).toEqual(["first-application-5", 2, before]);
+    await expect.poll(async () => [edit(), await steps().count(), await documents()]).toEqual(["first-application-5", 2, before]);
   });
 });

@@ -28,12 +28,12 @@ describe("the help", () => {
     await help().getByRole("searchbox").fill("quaternion");
     await page.keyboard.press("Enter");
     await article("Module geo").waitFor();
-    expect(query("help")).toBe("language-geo");
+    await soon(() => query("help")).toBe("language-geo");
     await page.reload();
     await article("Module geo").waitFor();
     await page.keyboard.press("Escape");
     await soon(() => help().count()).toBe(0);
-    expect(query("help")).toBe(null);
+    await soon(() => query("help")).toBe(null);
   });
 
   it("draws its figures, and has no serious findings in either theme", async () => {
@@ -81,7 +81,7 @@ describe("the tour", () => {
     await help().getByRole("button", { name: "Start the tour" }).click();
     await soon(step).toBe("Add a state");
     await settled(page);
-    expect(query("tour")).toBe("first-task");
+    await soon(() => query("tour")).toBe("first-task");
     await page.locator("#edit-canvas").focus();
     await page.keyboard.press("Insert");
     await soon(step).toBe("Let it do something");
@@ -116,6 +116,6 @@ describe("the tour", () => {
     await page.getByRole("tab", { name: "Log" }).click();
     await page.getByRole("log").getByText("hello").first().waitFor();
     await tour().getByRole("button", { name: "End the tour" }).click();
-    expect(query("tour")).toBe(null);
+    await soon(() => query("tour")).toBe(null);
   });
 });

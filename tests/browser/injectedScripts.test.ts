@@ -88,6 +88,16 @@ const properties = () => page.getByRole("complementary", { name: "Properties" })
 const pressAll = (selector: string) => page.evaluate((which) => document.querySelectorAll(which).forEach((each) => each instanceof HTMLElement && each.click()), selector);
 const rest = () => page.waitForTimeout(100);
 
+/** Those of the texts that the page shows, once it shows all of them, or for a while no more: some are cut wherever they stand. */
+async function shownAtRest(texts: readonly string[]): Promise<ReadonlySet<string>> {
+  const found = new Set<string>();
+  for (let looks = 0; looks < 15 && found.size < texts.length; looks++) {
+    await rest();
+    for (const text of await shownOf(texts, context)) found.add(text);
+  }
+  return found;
+}
+
 /** The events of a person on all that is shown: what is under the pointer, has the focus, or is pressed and taken back. */
 const touchAll = () =>
   page.evaluate(() => {
@@ -140,7 +150,7 @@ describe("a document whose texts are those of an attacker", () => {
     await page.getByRole("button", { name: "Arguments…" }).click();
     const form = page.getByRole("dialog", { name: /^Arguments/ });
     await form.waitFor();
-    expect(await seen()).toBeGreaterThan(kNearlyAll);
+    await expect.poll(() => seen(), kSoon).toBeGreaterThan(kNearlyAll);
     for (const { 1: text = "" } of groups) {
       await form.getByRole("textbox").last().fill(text);
       await form.getByRole("textbox").first().fill(text);
@@ -157,8 +167,7 @@ describe("a document whose texts are those of an attacker", () => {
       await row(`Root/S${i}`).click();
       await properties().getByRole("textbox", { name: "Name", exact: true }).first().waitFor();
       await pressAll('[aria-label="Type, unit and description"][aria-expanded="false"]');
-      await rest();
-      for (const text of await shownOf(groups[i] ?? [], context)) found.add(text);
+      for (const text of await shownAtRest(groups[i] ?? [])) found.add(text);
     }
     expect(found.size).toBeGreaterThan(kNearlyAll);
     await touchAll();
@@ -168,14 +177,14 @@ describe("a document whose texts are those of an attacker", () => {
     await page.getByRole("button", { name: "Close the state editor" }).click();
     await row("Root").click();
     await rest();
-    expect(await seen()).toBeGreaterThan(kNearlyAll);
+    await expect.poll(() => seen(), kSoon).toBeGreaterThan(kNearlyAll);
   });
 
   it("says who is there, who has commented and who has changed what", async () => {
-    expect(await page.locator(".face").count()).toBeGreaterThan(2);
+    await expect.poll(() => page.locator(".face").count(), kSoon).toBeGreaterThan(2);
     await page.getByRole("button", { name: /open comments/ }).first().click();
     await page.getByRole("region", { name: "Open comments" }).waitFor();
-    expect(await seen()).toBeGreaterThan(kNearlyAll);
+    await expect.poll(() => seen(), kSoon).toBeGreaterThan(kNearlyAll);
     await page.keyboard.press("Control+Shift+H");
     const history = page.getByRole("region", { name: "History" });
     await history.locator(".revision-row").first().waitFor();
@@ -185,7 +194,7 @@ describe("a document whose texts are those of an attacker", () => {
       await history.locator(".revision-row").nth(at).click();
       await history.getByRole("list", { name: "Changes" }).or(history.getByText("Nothing differs.")).first().waitFor();
     }
-    expect((await shownOf(payloads.slice(0, 100), context)).size).toBeGreaterThan(80);
+    await expect.poll(async () => (await shownOf(payloads.slice(0, 100), context)).size, kSoon).toBeGreaterThan(80);
     await touchAll();
     await history.getByRole("button", { name: "Close the history" }).click();
   });
@@ -275,7 +284,7 @@ describe("a document whose texts are those of an attacker", () => {
     }
     for (const item of [0, 50, 120]) await page.getByRole("region", { name: "Errors" }).getByRole("button").nth(item).click();
     await touchAll();
-    expect((await shownOf(payloads, context)).size).toBeGreaterThan(200);
+    await expect.poll(async () => (await shownOf(payloads, context)).size, kSoon).toBeGreaterThan(200);
     // The files that are saved, opened by themselves.
     const [file] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Save as SVG" }).click()]);
     const svg = await context.newPage();
@@ -303,12 +312,11 @@ describe("a run of such a task", () => {
 
   it("shows values, results, code and conditions of each state, and what was selected", async () => {
     await openRun(ended);
-    expect(await seen()).toBeGreaterThan(kNearlyAll);
+    await expect.poll(() => seen(), kSoon).toBeGreaterThan(kNearlyAll);
     const found = new Set<string>();
     for (const i of groups.keys()) {
       await row(`Root/S${i}`).click();
-      await rest();
-      for (const text of await shownOf(groups[i] ?? [], context)) found.add(text);
+      for (const text of await shownAtRest(groups[i] ?? [])) found.add(text);
     }
     expect(found.size).toBeGreaterThan(kNearlyAll);
     await openRun(ended, "&sel=Root/S1.q0");
@@ -339,9 +347,12 @@ describe("a run of such a task", () => {
   });
 
   it("is among the stored runs, with faults that say such a text", async () => {
-    const { cores } = (await fixture.send("GET", "/cores")) as { readonly cores: readonly { readonly id: string; readonly status: string }[] };
-    const faulted = cores.filter(({ status }) => status === "faulted").map(({ id }) => id);
-    expect(faulted).toHaveLength(Math.ceil(payloads.length / kPerFault));
+    const faulting = async () => {
+      const { cores } = (await fixture.send("GET", "/cores")) as { readonly cores: readonly { readonly id: string; readonly status: string }[] };
+      return cores.filter(({ status }) => status === "faulted").map(({ id }) => id);
+    };
+    await expect.poll(faulting, kSoon).toHaveLength(Math.ceil(payloads.length / kPerFault));
+    const faulted = await faulting();
     const found = new Set<string>();
     for (const id of faulted) {
       await openRun(id);

@@ -57,45 +57,41 @@ describe("a run that its server has left", () => {
     await send("POST", `/cores/${id}/start`);
     await page.goto(`${fixture.url}/pro/`);
     await expect.poll(() => isActive("Root/Wait"), kSoon).toBe("true");
-    expect(await status(page)).toBe("Running");
+    await expect.poll(() => status(page), kSoon).toBe("Running");
     run = await send("GET", `/cores/${id}`);
     // Newer than the run, and waits for nobody.
     await send("POST", "/cores", { document: "waiting" });
     await fixture.kill();
     await page.getByText("Connection lost", { exact: true }).waitFor(kSoon);
-    const lost = await page.getByRole("alert", { name: "Server lost" }).innerText();
-    expect(lost).toContain(`Server lost at step ${run.step} of run ${run.id}: pause and stop cannot reach the robot`);
-    expect(await status(page)).toBe("Not known; last: Running");
-    expect(await watched(page).locator("option:checked").innerText()).toContain("Not known; last: Running");
-    expect(await enabled()).toEqual([]);
+    await expect.poll(() => page.getByRole("alert", { name: "Server lost" }).innerText(), kSoon).toContain(`Server lost at step ${run.step} of run ${run.id}: pause and stop cannot reach the robot`);
+    await expect.poll(() => status(page), kSoon).toBe("Not known; last: Running");
+    await expect.poll(() => watched(page).locator("option:checked").innerText(), kSoon).toContain("Not known; last: Running");
+    await expect.poll(() => enabled(), kSoon).toEqual([]);
     expect(await isActive("Root/Wait")).toBe("true");
-    expect(await page.getByRole("button", { name: "Load", exact: true }).isDisabled()).toBe(true);
-    expect(await page.getByRole("checkbox", { name: "Follow edits while it runs" }).isDisabled()).toBe(true);
-    expect(await page.locator(".prop-head .pill").innerText()).toBe("Not known; last: Running");
-    expect(await page.getByRole("heading", { name: "Active when last heard of" }).count()).toBe(1);
-    expect(await page.locator(".workspace").evaluate((part) => getComputedStyle(part).filter)).toBe("grayscale(1)");
+    await expect.poll(() => page.getByRole("button", { name: "Load", exact: true }).isDisabled(), kSoon).toBe(true);
+    await expect.poll(() => page.getByRole("checkbox", { name: "Follow edits while it runs" }).isDisabled(), kSoon).toBe(true);
+    await expect.poll(() => page.locator(".prop-head .pill").innerText(), kSoon).toBe("Not known; last: Running");
+    await expect.poll(() => page.getByRole("heading", { name: "Active when last heard of" }).count(), kSoon).toBe(1);
+    await expect.poll(() => page.locator(".workspace").evaluate((part) => getComputedStyle(part).filter), kSoon).toBe("grayscale(1)");
     await fixture.screenshot("lost");
   });
 
   it("is interrupted when the server is back: the page says what happened, and what may be done", async () => {
     await fixture.restart();
     await notice(page).waitFor(kSoon);
-    expect(await page.getByRole("alert", { name: "Server lost" }).count()).toBe(0);
+    await expect.poll(() => page.getByRole("alert", { name: "Server lost" }).count(), kSoon).toBe(0);
     const restarted = page.getByRole("status", { name: "Server restarted" });
-    expect(await restarted.innerText()).toMatch(new RegExp(`^Server restarted\\s+One run was interrupted:\\s+Run ${run.id} of waiting, shown`));
-    const text = await notice(page).innerText();
-    expect(text).toContain(`Run ${run.id} is interrupted`);
-    expect(text).toContain("Open calls were answered unavailable");
-    expect(text).toContain("Nothing moves until someone resumes");
-    expect(await status(page)).toBe("Interrupted");
-    expect(await watched(page).inputValue()).toBe(run.id);
-    expect(await watched(page).locator("option:checked").innerText()).toContain("Interrupted");
-    expect(await enabled()).toEqual(["Resume", "Micro step", "Macro step", "Stop"]);
-    expect(await page.getByText("Connected", { exact: true }).count()).toBe(1);
+    await expect.poll(() => restarted.innerText(), kSoon).toMatch(new RegExp(`^Server restarted\\s+One run was interrupted:\\s+Run ${run.id} of waiting, shown`));
+    for (const text of [`Run ${run.id} is interrupted`, "Open calls were answered unavailable", "Nothing moves until someone resumes"]) await expect.poll(() => notice(page).innerText(), kSoon).toContain(text);
+    await expect.poll(() => status(page), kSoon).toBe("Interrupted");
+    await expect.poll(() => watched(page).inputValue(), kSoon).toBe(run.id);
+    await expect.poll(() => watched(page).locator("option:checked").innerText(), kSoon).toContain("Interrupted");
+    await expect.poll(() => enabled(), kSoon).toEqual(["Resume", "Micro step", "Macro step", "Stop"]);
+    await expect.poll(() => page.getByText("Connected", { exact: true }).count(), kSoon).toBe(1);
     await settled(page);
     await fixture.screenshot("interrupted");
     await restarted.getByRole("button", { name: "Dismiss" }).click();
-    expect(await restarted.count()).toBe(0);
+    await expect.poll(() => restarted.count(), kSoon).toBe(0);
   });
 
   it("is what a page shows that is opened now, also on a phone, where each way out has a name", async () => {
@@ -103,8 +99,8 @@ describe("a run that its server has left", () => {
     const phone = await context.newPage();
     await phone.goto(`${fixture.url}/pro/`);
     await notice(phone).waitFor(kSoon);
-    expect(await watched(phone).inputValue()).toBe(run.id);
-    expect(await phone.getByRole("toolbar", { name: "Run" }).locator("button.run-button:enabled span:visible").allInnerTexts()).toEqual(["Resume", "Micro step", "Macro step", "Stop"]);
+    await expect.poll(() => watched(phone).inputValue(), kSoon).toBe(run.id);
+    await expect.poll(() => phone.getByRole("toolbar", { name: "Run" }).locator("button.run-button:enabled span:visible").allInnerTexts(), kSoon).toEqual(["Resume", "Micro step", "Macro step", "Stop"]);
     const width = phone.viewportSize()?.width ?? 0;
     expect(await phone.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
     await settled(phone);
@@ -120,11 +116,11 @@ describe("a run that its server has left", () => {
   it("is still shown after the page is loaded again, and goes on by key from the lost call", async () => {
     await page.reload();
     await notice(page).waitFor(kSoon);
-    expect(page.url()).toBe(`${fixture.url}/pro/?run=${run.id}`);
+    await expect.poll(() => page.url(), kSoon).toBe(`${fixture.url}/pro/?run=${run.id}`);
     await page.keyboard.press("F5");
     await expect.poll(() => status(page), kSoon).toBe("Ended: recovered");
-    expect(await notice(page).count()).toBe(0);
-    expect(await watched(page).inputValue()).toBe(run.id);
+    await expect.poll(() => notice(page).count(), kSoon).toBe(0);
+    await expect.poll(() => watched(page).inputValue(), kSoon).toBe(run.id);
   });
 });
 
@@ -154,20 +150,20 @@ describe("a run whose journal cannot be stored", () => {
     await expect.poll(() => status(page), kSoon).toBe("Running");
     free = await fillDisk();
     await notice(page).waitFor(kSoon);
-    expect(await notice(page).innerText()).toContain(`Run ${id} is interrupted: its journal cannot be stored`);
+    await expect.poll(() => notice(page).innerText(), kSoon).toContain(`Run ${id} is interrupted: its journal cannot be stored`);
   });
 
   it("refuses to go on while the disk is full: the message stays until it is dismissed, and the server is not lost", async () => {
     fixture.allowError(/^Failed to load resource: the server responded with a status of 507 /);
     await page.keyboard.press("F5");
     await problem().waitFor(kSoon);
-    expect(await status(page)).toBe("Interrupted");
+    await expect.poll(() => status(page), kSoon).toBe("Interrupted");
     await page.getByRole("tab", { name: "Log" }).click();
     await fixture.screenshot("interrupted-disk");
-    expect(await page.getByText("Connected", { exact: true }).count()).toBe(1);
+    await expect.poll(() => page.getByText("Connected", { exact: true }).count(), kSoon).toBe(1);
     expect(await problem().count()).toBe(1);
     await page.getByRole("button", { name: "Dismiss" }).click();
-    expect(await problem().count()).toBe(0);
+    await expect.poll(() => problem().count(), kSoon).toBe(0);
   });
 
   it("goes on when there is space again", async () => {
@@ -175,8 +171,8 @@ describe("a run whose journal cannot be stored", () => {
     free = undefined;
     await page.keyboard.press("F5");
     await expect.poll(() => status(page), kSoon).toBe("Running");
-    expect(await notice(page).count()).toBe(0);
-    expect(await problem().count()).toBe(0);
+    await expect.poll(() => notice(page).count(), kSoon).toBe(0);
+    await expect.poll(() => problem().count(), kSoon).toBe(0);
     await page.keyboard.press("F8");
     await expect.poll(() => status(page), kSoon).toBe("Stopped");
   });
@@ -189,7 +185,7 @@ describe("a server that ends", () => {
     await fixture.terminate();
     const lost = page.getByRole("alert", { name: "Server lost" });
     await lost.waitFor(kSoon);
-    expect(await lost.innerText()).toContain("The server has ended");
+    await expect.poll(() => lost.innerText(), kSoon).toContain("The server has ended");
     await fixture.restart();
     await lost.waitFor({ state: "detached", ...kSoon });
   });

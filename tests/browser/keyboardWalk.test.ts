@@ -92,13 +92,15 @@ it("a run of it is started after the question, paused, stepped, looked at in the
   await go("Start");
   await keys("Enter");
   const question = page.getByRole("alertdialog", { name: "Before it moves" });
-  await question.waitFor();
+  /** What is pressed then answers the question. */
+  const isAsked = () => question.evaluate((dialog) => dialog.contains(document.activeElement));
+  await expect.poll(isAsked).toBe(true);
   await kept("the question");
   await keys("Escape");
   await question.waitFor({ state: "detached" });
   await expect.poll(() => heard(page)).toBe("Start");
   await keys("Enter");
-  await question.waitFor();
+  await expect.poll(isAsked).toBe(true);
   await keys("Enter");
   await expect.poll(status).toContain("Running");
   await kept("the run goes on");

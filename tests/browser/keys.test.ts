@@ -1,6 +1,6 @@
 // Keys: the help that lists them, and zooming.
 import type { Page } from "playwright-core";
-import { openFixture, settled, type Fixture } from "./fixture";
+import { frames, openFixture, settled, type Fixture } from "./fixture";
 
 let fixture: Fixture;
 let page: Page;
@@ -12,6 +12,7 @@ beforeAll(async () => {
   await page.getByRole("combobox", { name: "Document" }).selectOption("pick");
   await page.getByRole("button", { name: "Load" }).click();
   await page.getByRole("group", { name: "State Pick/Release" }).waitFor();
+  await settled(page);
 });
 afterAll(() => fixture.close());
 
@@ -23,6 +24,7 @@ async function shownWidth(): Promise<number> {
   let before = -1;
   await expect
     .poll(async () => {
+      await frames(page);
       const [last, now] = [before, await width()];
       before = now;
       return now === last;
@@ -83,7 +85,7 @@ describe("a double click in the drawing of a run", () => {
     const state = page.locator('.canvas .state[data-path="Pick"]');
     await state.dblclick(at);
     await expect.poll(inProperties).toBe("Properties");
-    expect(await page.getByRole("complementary", { name: "Properties" }).getByRole("heading", { level: 2 }).innerText()).toBe("Pick");
+    await expect.poll(() => page.getByRole("complementary", { name: "Properties" }).getByRole("heading", { level: 2 }).innerText()).toBe("Pick");
     await page.locator('.canvas .state[data-path="Pick/Grasp"]').dblclick(at);
     await expect.poll(() => page.getByRole("complementary", { name: "Properties" }).getByRole("heading", { level: 2 }).innerText()).toBe("Grasp");
     const inner = page.locator('.canvas .state[data-path]:not([data-path="Pick"])').filter({ has: page.locator(".state-toggle") }).first();
@@ -109,7 +111,7 @@ describe("zoom", () => {
     await page.keyboard.press("Control+-");
     await page.keyboard.press("Control+-");
     await expect.poll(shownWidth).toBeLessThan(larger / 1.1);
-    expect(await shownWidth()).toBeLessThan(fitted);
+    await expect.poll(() => shownWidth()).toBeLessThan(fitted);
     await page.keyboard.press("Control+0");
     await expect.poll(shownWidth).toBeCloseTo(fitted, 0);
   });

@@ -39,11 +39,11 @@ describe("a border between panels", () => {
   it("is dragged by the mouse, and the panel and the drawing take the room", async () => {
     const [left, canvas] = [await boxOf(".side-left"), await boxOf(".canvas")];
     await dragBorder("Width of the left panel", { x: 70, y: 0 });
-    expect((await boxOf(".side-left")).width).toBe(left.width + 70);
-    expect((await boxOf(".canvas")).width).toBe(canvas.width - 70);
+    await expect.poll(async () => (await boxOf(".side-left")).width).toBe(left.width + 70);
+    await expect.poll(async () => (await boxOf(".canvas")).width).toBe(canvas.width - 70);
     const drawer = await size("Height of the panel below");
     await dragBorder("Height of the panel below", { x: 0, y: -90 });
-    expect(await size("Height of the panel below")).toBe(drawer + 90);
+    await expect.poll(() => size("Height of the panel below")).toBe(drawer + 90);
     await fixture.screenshot("layout-borders");
   });
 
@@ -51,10 +51,10 @@ describe("a border between panels", () => {
     const before = await size("Width of the right panel");
     const box = await boxOf(".splitter-right");
     await dragTo(page, { x: box.x + 4, y: box.y + 40 }, { x: box.x - 120, y: box.y + 40 });
-    expect(await size("Width of the right panel")).toBe(before + 124);
+    await expect.poll(() => size("Width of the right panel")).toBe(before + 124);
     await page.keyboard.press("Escape");
     await page.mouse.up();
-    expect(await size("Width of the right panel")).toBe(before);
+    await expect.poll(() => size("Width of the right panel")).toBe(before);
   });
 
   it("is moved by arrows, Home and End, within bounds that leave room for the drawing", async () => {
@@ -62,20 +62,20 @@ describe("a border between panels", () => {
     await right.focus();
     const before = await size("Width of the right panel");
     await page.keyboard.press("ArrowLeft");
-    expect(await size("Width of the right panel")).toBe(before + 16);
+    await expect.poll(() => size("Width of the right panel")).toBe(before + 16);
     await page.keyboard.press("End");
-    expect((await boxOf(".workspace")).width).toBeGreaterThanOrEqual(320);
+    await expect.poll(async () => (await boxOf(".workspace")).width).toBeGreaterThanOrEqual(320);
     await page.keyboard.press("Home");
-    expect(await size("Width of the right panel")).toBe(Number(await right.getAttribute("aria-valuemin")));
+    await expect.poll(() => size("Width of the right panel")).toBe(Number(await right.getAttribute("aria-valuemin")));
     await right.dblclick({ position: { x: 4, y: 30 } });
-    expect(await size("Width of the right panel")).toBe(before);
+    await expect.poll(() => size("Width of the right panel")).toBe(before);
   });
 
   it("shows a smaller panel only while the window is smaller", async () => {
     const left = await size("Width of the left panel");
     await page.setViewportSize({ width: 820, height: 500 });
     await expect.poll(() => size("Width of the left panel")).toBeLessThan(left);
-    expect((await boxOf(".workspace")).width).toBeGreaterThanOrEqual(320);
+    await expect.poll(async () => (await boxOf(".workspace")).width).toBeGreaterThanOrEqual(320);
     await page.setViewportSize({ width: 1600, height: 1000 });
     await expect.poll(() => size("Width of the left panel")).toBe(left);
   });
@@ -91,7 +91,7 @@ describe("a border between panels", () => {
     await touch("touchStart", from);
     for (const by of [10, 25, 40]) await touch("touchMove", from + by);
     await touch("touchEnd", from + 40);
-    expect(await size("Width of the left panel")).toBe(before + 40);
+    await expect.poll(() => size("Width of the left panel")).toBe(before + 40);
     await cdp.send("Emulation.setTouchEmulationEnabled", { enabled: false });
     await cdp.detach();
   });
@@ -102,19 +102,19 @@ describe("a side panel", () => {
     const [left, drawer] = [await size("Width of the left panel"), await size("Height of the panel below")];
     await page.keyboard.press("Control+,");
     await expect.poll(() => page.locator(".side-left").count()).toBe(0);
-    expect((await boxOf(".workspace")).x).toBe(0);
+    await expect.poll(async () => (await boxOf(".workspace")).x).toBe(0);
     await page.getByRole("button", { name: "The right panel" }).click();
     await expect.poll(() => page.locator(".side-right").count()).toBe(0);
     await page.reload();
     await settled(page);
-    expect((await boxOf(".workspace")).width).toBe(1600);
+    await expect.poll(async () => (await boxOf(".workspace")).width).toBe(1600);
     await fixture.screenshot("layout-folded");
     await border("Width of the right panel").focus();
     await page.keyboard.press("Enter");
     await page.locator(".side-right").waitFor();
     await page.keyboard.press("Control+f");
     await page.locator("#search:focus").waitFor();
-    expect([await size("Width of the left panel"), await size("Height of the panel below")]).toEqual([left, drawer]);
+    await expect.poll(async () => [await size("Width of the left panel"), await size("Height of the panel below")]).toEqual([left, drawer]);
   });
 
   it("below a run is closed and opened by key, with what it showed", async () => {
@@ -130,11 +130,13 @@ describe("the cell beside a task", () => {
   it("is moved into a half of the workspace, made larger, kept there, and moved back", async () => {
     await page.getByRole("button", { name: "Cell view" }).click();
     await page.getByRole("button", { name: "Beside the drawing" }).click();
-    const canvas = await boxOf(".canvas");
+    await expect.poll(async () => {
+      const [canvas, cell] = [await boxOf(".canvas"), await boxOf(".cell-dock")];
+      return canvas.x + canvas.width - cell.x;
+    }).toBe(0);
     const cell = await boxOf(".cell-dock");
-    expect(canvas.x + canvas.width).toBe(cell.x);
     await dragBorder("Width of the cell view", { x: -100, y: 0 });
-    expect((await boxOf(".cell-dock")).width).toBe(cell.width + 100);
+    await expect.poll(async () => (await boxOf(".cell-dock")).width).toBe(cell.width + 100);
     await page.getByText(/^cell time/).waitFor();
     await page.waitForTimeout(1200);
     await fixture.screenshot("layout-cell-half");
@@ -142,19 +144,19 @@ describe("the cell beside a task", () => {
     const height = (await boxOf(".cell-dock")).height;
     await border("Height of the cell view").focus();
     await page.keyboard.press("ArrowUp");
-    expect((await boxOf(".cell-dock")).height).toBe(height + 16);
+    await expect.poll(async () => (await boxOf(".cell-dock")).height).toBe(height + 16);
   });
 
   it("is shown as the whole page, which is in the address", async () => {
     await page.getByRole("button", { name: "As the whole page" }).click();
     await page.getByRole("tab", { name: "Cell", selected: true }).waitFor();
-    expect(new URL(page.url()).searchParams.get("page")).toBe("cell");
+    await expect.poll(() => new URL(page.url()).searchParams.get("page")).toBe("cell");
     await page.reload();
     await page.getByRole("tab", { name: "Cell", selected: true }).waitFor();
     await page.getByRole("tab", { name: "Task" }).click();
-    expect(new URL(page.url()).searchParams.get("page")).toBeNull();
+    await expect.poll(() => new URL(page.url()).searchParams.get("page")).toBeNull();
     // It is where it was.
-    expect((await boxOf(".cell-dock.is-column")).height).toBeGreaterThan(100);
+    await expect.poll(async () => (await boxOf(".cell-dock.is-column")).height).toBeGreaterThan(100);
     await page.getByRole("button", { name: "Close the cell view" }).click();
     await expect.poll(() => page.locator(".cell-dock").count()).toBe(0);
   });
@@ -187,7 +189,7 @@ describe("following a run", () => {
   it("is off at first, and says that the ports are too small to be read", async () => {
     await page.getByRole("button", { name: "Collapse Long/Far", exact: true }).click();
     await settled(page);
-    expect(await follow().getAttribute("aria-pressed")).toBe("false");
+    await expect.poll(() => follow().getAttribute("aria-pressed")).toBe("false");
     await page.getByRole("button", { name: "Zoom in to read the ports" }).waitFor();
     expect(await isInView(kActive)).toBe(false);
     await fixture.screenshot("layout-small");
@@ -198,13 +200,13 @@ describe("following a run", () => {
     await expect.poll(() => isInView(kActive)).toBe(true);
     await settled(page);
     await expect.poll(() => letters(`${kActive}.done`)).toBeGreaterThanOrEqual(9.9);
-    expect(new URL(page.url()).searchParams.get("follow")).toBe("1");
+    await expect.poll(() => new URL(page.url()).searchParams.get("follow")).toBe("1");
     await fixture.screenshot("layout-follow");
     await page.reload();
     await expect.poll(() => isInView(kActive)).toBe(true);
     await settled(page);
     await expect.poll(() => letters(`${kActive}.done`)).toBeGreaterThanOrEqual(9.9);
-    expect(await follow().getAttribute("aria-pressed")).toBe("true");
+    await expect.poll(() => follow().getAttribute("aria-pressed")).toBe("true");
   });
 
   it("keeps it in view when the room changes", async () => {
@@ -221,12 +223,12 @@ describe("following a run", () => {
     await dragTo(page, { x: box.x + 60, y: box.y + box.height / 2 }, { x: box.x + 160, y: box.y + box.height / 2 + 60 });
     await page.mouse.up();
     await expect.poll(() => follow().getAttribute("aria-pressed")).toBe("false");
-    expect(new URL(page.url()).searchParams.get("follow")).toBeNull();
+    await expect.poll(() => new URL(page.url()).searchParams.get("follow")).toBeNull();
     await page.keyboard.press("Control+0");
     await expect.poll(() => letters(`${kActive}.done`)).toBeLessThan(9.9);
     await page.keyboard.press("Control+Shift+Space");
     await expect.poll(() => letters(`${kActive}.done`)).toBeGreaterThanOrEqual(9.9);
-    expect(await follow().getAttribute("aria-pressed")).toBe("true");
+    await expect.poll(() => follow().getAttribute("aria-pressed")).toBe("true");
   });
 
   it("begins while the drawing still moves to where its ports cannot be read", async () => {
@@ -236,7 +238,7 @@ describe("following a run", () => {
     await page.keyboard.press("Control+Shift+Space");
     await page.waitForTimeout(800);
     await expect.poll(() => letters(`${kActive}.done`)).toBeGreaterThanOrEqual(9.9);
-    expect(await isInView(kActive)).toBe(true);
+    await expect.poll(() => isInView(kActive)).toBe(true);
   });
 });
 
@@ -250,7 +252,7 @@ describe("the browser's Back", () => {
     await expect.poll(shown).toBe("Services");
     await page.goBack();
     await expect.poll(shown).toBe("Task");
-    expect(new URL(page.url()).searchParams.get("run")).toBe(run);
+    await expect.poll(() => new URL(page.url()).searchParams.get("run")).toBe(run);
     await page.goForward();
     await expect.poll(shown).toBe("Services");
     await page.goBack();
@@ -278,12 +280,12 @@ describe("room for what is drawn", () => {
     await border("Width of the cell view").dblclick({ position: { x: 4, y: 30 } });
     await settled(page);
     const tools = page.getByRole("toolbar", { name: "Drawing" });
-    const tops = await tools.locator(":scope > :visible").evaluateAll((all) => all.map((each) => each.getBoundingClientRect()).map(({ top, height }) => Math.round(top + height / 2)));
-    expect(new Set(tops).size).toBe(1);
-    expect(await tools.evaluate((row) => row.scrollWidth - row.clientWidth)).toBe(0);
+    const tops = () => tools.locator(":scope > :visible").evaluateAll((all) => all.map((each) => each.getBoundingClientRect()).map(({ top, height }) => Math.round(top + height / 2)));
+    await expect.poll(async () => new Set(await tops()).size).toBe(1);
+    await expect.poll(() => tools.evaluate((row) => row.scrollWidth - row.clientWidth)).toBe(0);
     await tools.getByRole("combobox", { name: "Detail" }).selectOption("Conditions");
     await settled(page);
-    expect(await page.getByRole("button", { name: "Zoom in to read the ports" }).count()).toBe(0);
+    await expect.poll(() => page.getByRole("button", { name: "Zoom in to read the ports" }).count()).toBe(0);
     await fixture.screenshot("layout-half-1366");
     await page.getByRole("button", { name: "Below the properties" }).click();
     await page.getByRole("button", { name: "Close the cell view" }).click();
@@ -298,7 +300,8 @@ describe("the legend", () => {
     const legend = page.getByRole("region", { name: "Legend" });
     await legend.waitFor();
     const colour = (selector: string) => page.locator(selector).first().evaluate((each) => getComputedStyle(each).borderTopColor);
-    expect(await colour('[data-sign="active"] .state')).toBe(await colour(".react-flow .state.is-active"));
+    // What has become active flashes.
+    await expect.poll(async () => (await colour('[data-sign="active"] .state')) === (await colour(".react-flow .state.is-active"))).toBe(true);
     expect(await legend.locator('[data-sign="line_exit"] path').evaluate((each) => getComputedStyle(each).strokeDasharray)).toBe(await page.locator(".react-flow .line-exit path").first().evaluate((each) => getComputedStyle(each).strokeDasharray));
     expect(await findings(page)).toEqual([]);
     await fixture.screenshot("layout-legend");

@@ -93,7 +93,7 @@ describe("an application with edits that the server has not taken", () => {
     await fixture.screenshot("one-leaving-saved");
     await press("Leave");
     await page.getByRole("heading", { name: "What shall the robot do?" }).waitFor();
-    expect(open()).toBeNull();
+    await expect.poll(() => open()).toBeNull();
     expect(await stored()).toEqual(["First", "Second"]);
     await page.evaluate(() => history.forward());
     await page.getByRole("region", { name: "Task Second" }).waitFor();
@@ -106,13 +106,13 @@ describe("an application with edits that the server has not taken", () => {
     await question().waitFor();
     await press("Leave, and lose it");
     await page.getByRole("heading", { name: "What shall the robot do?" }).waitFor();
-    expect(open()).toBeNull();
+    await expect.poll(() => open()).toBeNull();
     await fixture.restart();
     await page.getByText("Connected", { exact: true }).waitFor();
     expect(await stored()).toEqual(["First", "Second"]);
     await page.getByRole("link", { name: /^left/ }).click();
     await page.getByRole("region", { name: "Task Second" }).waitFor();
-    expect(await tasks()).toEqual(["Task First", "Task Second"]);
+    await expect.poll(tasks).toEqual(["Task First", "Task Second"]);
   });
 
   it("asks also when the connection is open and the server is silent", async () => {
@@ -157,7 +157,7 @@ describe("an application with edits that the server has not taken", () => {
     holds = false;
     held.forEach((send) => send());
     await asked.getByRole("heading", { name: "1 change was not taken" }).waitFor();
-    expect(await asked.getByRole("list", { name: "What was refused, and why" }).getByRole("listitem").count()).toBe(1);
+    await expect.poll(() => asked.getByRole("list", { name: "What was refused, and why" }).getByRole("listitem").count()).toBe(1);
     expect(await asked.innerText()).not.toContain("All is saved now");
     expect(await findings(second)).toEqual([]);
     await fixture.screenshot("one-leaving-refused", second);

@@ -90,7 +90,7 @@ describe("the run of the document that is edited", () => {
     expect((await core(id)).revision).toBe(1);
     await force(id, "Root/A");
     await soon(() => isActive("Root/B")).toBe("true");
-    expect(await isActive("Root/Approach")).toBe("false");
+    await expect.poll(() => isActive("Root/Approach")).toBe("false");
     await soon(() => fixture.page.getByRole("treeitem", { name: "Root/B" }).getAttribute("data-active")).toBe("true");
   });
 
@@ -101,7 +101,7 @@ describe("the run of the document that is edited", () => {
     await soon(() => marks().count()).toBeGreaterThan(0);
     await fixture.page.getByRole("checkbox", { name: "Show the run" }).uncheck();
     await soon(() => isActive("Root/B")).toBe("false");
-    expect([await marks().count(), await form().locator(".row-now").count()]).toEqual([0, 0]);
+    await expect.poll(async () => [await marks().count(), await form().locator(".row-now").count()]).toEqual([0, 0]);
     await fixture.page.getByRole("checkbox", { name: "Show the run" }).check();
     await soon(() => isActive("Root/B")).toBe("true");
   });
@@ -137,7 +137,7 @@ describe("the run of the document that is edited", () => {
     const last = await revision("seen");
     await soon(() => carried().innerText()).toMatch(new RegExp(`^Run ${id} executes revision ${last} since step \\d+$`));
     await soon(() => bar().innerText()).toContain(`executes revision ${last}, which you edit`);
-    expect(await marks().count()).toBe(0);
+    await expect.poll(() => marks().count()).toBe(0);
     await select("Root/B");
     await soon(() => rows(/^Ports/).locator(".row-now").first().innerText()).toBe("now: false");
     await fixture.screenshot("live-carried");
@@ -189,7 +189,7 @@ describe("an edit that the run cannot take", () => {
     await soon(() => children("waits")).toEqual(["A", "C"]);
     const last = await revision("waits");
     await soon(() => waiting().innerText()).toContain(`Revision ${last} of waits waits until B is left`);
-    expect(await canvas.locator('[data-active="true"]').count(), "the root alone is active and still in the document").toBe(1);
+    await expect.poll(() => canvas.locator('[data-active="true"]').count(), { message: "the root alone is active and still in the document" }).toBe(1);
     await fixture.screenshot("live-waits");
     await waiting().getByRole("button", { name: /Root\/B is active/ }).click();
     await soon(() => fixture.page.getByRole("tab", { name: "Task" }).getAttribute("aria-selected")).toBe("true");
@@ -229,18 +229,18 @@ describe("a run of another document", () => {
     await fixture.page.goto(`${fixture.url}/pro/?run=${id}&edit=twin`);
     await settled(fixture.page);
     await soon(() => toolbar().innerText()).toContain(`Run ${id} of original, revision 1: not what you edit`);
-    expect([await isActive("Root"), await isActive("Root/A"), await bar().count()]).toEqual(["false", "false", 0]);
+    await soon(async () => [await isActive("Root"), await isActive("Root/A"), await bar().count()]).toEqual(["false", "false", 0]);
     await node("Root/A").click({ position: { x: 20, y: 8 } });
     expect(await form().locator(".row-now").count()).toBe(0);
     for (const name of ["Start", "Resume", "Micro step", "Macro step"]) for (const each of await toolbar().getByRole("button", { name }).all()) expect(await each.isDisabled(), name).toBe(true);
-    expect(await toolbar().getByRole("button", { name: "Stop" }).isEnabled()).toBe(true);
+    await soon(() => toolbar().getByRole("button", { name: "Stop" }).isEnabled()).toBe(true);
     await fixture.screenshot("live-other");
   });
 
   it("is not turned from while it is under way, and one of this document is offered", async () => {
     const twin = (await fixture.send("POST", "/cores", { document: "twin", arguments: {} })) as CoreJson;
     await bar().getByRole("button", { name: `Show run ${twin.id} of this document` }).waitFor();
-    expect(await bar().innerText()).toMatch(/^You watch run \d+ of original, which is not shown here\./);
+    await soon(() => bar().innerText()).toMatch(/^You watch run \d+ of original, which is not shown here\./);
     await bar().getByRole("button", { name: /^Show run/ }).click();
     await soon(() => bar().innerText()).toContain(`Run ${twin.id} will execute revision 1, which you edit`);
     await toolbar().getByRole("button", { name: "Edit" }).waitFor({ state: "detached" });
@@ -267,11 +267,11 @@ describe("the page of the run", () => {
     const id = await open("page");
     await page.goto(`${url}/pro/?run=${id}`);
     await settled(page);
-    expect(await toolbar().innerText()).toContain(`Run ${id} of page, revision 1`);
+    await soon(() => toolbar().innerText()).toContain(`Run ${id} of page, revision 1`);
     await fixture.screenshot("live-run-page");
     await toolbar().getByRole("button", { name: "Edit" }).click();
     await soon(() => bar().innerText()).toContain(`Run ${id} executes revision 1, which you edit`);
-    expect(new URL(page.url()).searchParams.get("edit")).toBe("page");
+    await soon(() => new URL(page.url()).searchParams.get("edit")).toBe("page");
     await soon(() => isActive("Root/A")).toBe("true");
     const choose = async (command: string) => {
       await page.keyboard.press("Control+Shift+p");

@@ -54,7 +54,7 @@ describe("the page of a server with accounts", () => {
     const { page } = fixture;
     await page.goto(`${fixture.url}/pro/`);
     await cover(page).waitFor();
-    expect(await page.evaluate(() => document.activeElement?.getAttribute("autocomplete"))).toBe("username");
+    await expect.poll(() => page.evaluate(() => document.activeElement?.getAttribute("autocomplete")), kSoon).toBe("username");
     expect(await page.getByRole("banner").count()).toBe(0);
     expect(await findings(page)).toEqual([]);
     await fixture.screenshot("login");
@@ -119,7 +119,7 @@ describe("the page of a server with accounts", () => {
     await logIn(page, "dev");
     await page.getByRole("button", { name: "dev developer" }).waitFor();
     await page.getByRole("button", { name: "dev developer" }).click();
-    expect(await page.getByRole("menuitem").allInnerTexts()).toEqual(["Log out"]);
+    await expect.poll(() => page.getByRole("menuitem").allInnerTexts(), kSoon).toEqual(["Log out"]);
     await page.keyboard.press("Escape");
   });
 
@@ -146,7 +146,7 @@ describe("several pages of one browser", () => {
     await cover(second).waitFor({ state: "detached" });
     await second.getByRole("button", { name: "olga observer" }).waitFor();
     await second.getByText("Connected", { exact: true }).waitFor();
-    expect(await second.getByRole("banner").getByText("Read only").isVisible()).toBe(true);
+    await expect.poll(() => second.getByRole("banner").getByText("Read only").isVisible(), kSoon).toBe(true);
     await first.context().close();
   });
 });
@@ -162,8 +162,7 @@ describe("an observer", () => {
   afterAll(() => page.context().close());
   const needs = async (name: string, role: string, within = page.getByRole("toolbar", { name: "Run" })) => {
     const button = within.getByRole("button", { name, exact: true });
-    expect([name, await button.isDisabled()]).toEqual([name, true]);
-    expect(await button.getAttribute("title")).toContain(why(role));
+    await expect.poll(async () => [await button.isDisabled(), await button.getAttribute("title")], { ...kSoon, message: name }).toEqual([true, expect.stringContaining(why(role))]);
   };
 
   it("is told that the page is read only, and why", async () => {
@@ -193,7 +192,7 @@ describe("an observer", () => {
     const pick = documents.getByRole("listitem", { name: "pick" });
     for (const name of ["Duplicate", "Delete"]) await needs(name, "developer", pick);
     await needs("New run", "operator", pick);
-    expect(await pick.getByRole("button", { name: "Download" }).isDisabled()).toBe(false);
+    await expect.poll(() => pick.getByRole("button", { name: "Download" }).isDisabled(), kSoon).toBe(false);
     await fixture.screenshot("observer-documents", page);
     await page.keyboard.press("Escape");
   });
@@ -208,7 +207,7 @@ describe("an observer", () => {
     await page.getByRole("treeitem").first().click();
     const properties = page.getByRole("complementary", { name: "Properties" });
     await properties.getByRole("textbox", { name: "Name", exact: true }).first().waitFor();
-    expect(await properties.locator("input:not([readonly]):not(:disabled), textarea:not([readonly]), select:not(:disabled), [contenteditable=true]:not([aria-readonly=true])").count()).toBe(0);
+    await expect.poll(() => properties.locator("input:not([readonly]):not(:disabled), textarea:not([readonly]), select:not(:disabled), [contenteditable=true]:not([aria-readonly=true])").count(), kSoon).toBe(0);
     await fixture.screenshot("observer-edit", page);
     await page.locator("#edit-canvas").focus();
     await page.keyboard.press("Delete");
@@ -242,7 +241,7 @@ describe("an operator", () => {
     await settled(page);
     const bar = page.getByRole("toolbar", { name: "Run" });
     expect(await page.getByText("Read only").count()).toBe(0);
-    expect(await bar.getByRole("button", { name: "Macro step" }).isDisabled()).toBe(true);
+    await expect.poll(() => bar.getByRole("button", { name: "Macro step" }).isDisabled(), kSoon).toBe(true);
     await bar.getByRole("button", { name: "Start" }).click();
     await page.getByRole("alertdialog", { name: "Before it moves" }).getByRole("button", { name: "Start" }).click();
     await bar.getByRole("status", { name: "Run status" }).filter({ hasNotText: "Ready" }).waitFor();

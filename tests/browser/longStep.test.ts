@@ -42,9 +42,9 @@ describe("a macro step that comes in parts", () => {
     await expect.poll(() => steps.allInnerTexts(), kSoon).toEqual([expect.stringMatching(/\d+ micro$/)]);
     const { steps: derived } = (await fixture.send("GET", `/cores/${id}/derivations?from=1&to=1`)) as { readonly steps: readonly { readonly micro: readonly unknown[] }[] };
     const count = derived[0]?.micro.length ?? 0;
-    expect(messages.join("").split('"complete":').length - 1).toBeGreaterThan(1);
-    expect(await steps.allInnerTexts()).toEqual([expect.stringContaining(`${count} micro`)]);
-    expect(await proofCount(page)).toBe(count);
+    await expect.poll(() => messages.join("").split('"complete":').length - 1, kSoon).toBeGreaterThan(1);
+    await expect.poll(() => steps.allInnerTexts(), kSoon).toEqual([expect.stringContaining(`${count} micro`)]);
+    await expect.poll(() => proofCount(page), kSoon).toBe(count);
     await page.locator(".proofs").evaluate((element) => (element.scrollTop = element.scrollHeight));
     await page.getByRole("article", { name: `Micro step ${count}`, exact: true }).waitFor();
     // However many there are, those in view are in the page.

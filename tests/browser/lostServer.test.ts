@@ -2,6 +2,7 @@
 import type { Page } from "playwright-core";
 import { openFixture, type Fixture } from "./fixture";
 import { openNetwork, type Network } from "./network";
+import { holding } from "./prepare";
 
 let fixture: Fixture;
 let network: Network;
@@ -45,10 +46,13 @@ describe.each(["pro", "one"] as const)("a silent network of the page %s", (name)
   });
 
   it("is said, and the controls are given back", async () => {
-    await take(page).click();
-    // The page knows it, too.
-    await page.getByText("You have the controls").first().waitFor();
-    await expect.poll(holder).not.toBeNull();
+    const mark = page.getByText("You have the controls", { exact: true }).first();
+    const taken = async () => {
+      await take(page).click();
+      // The page knows it, too.
+      await mark.waitFor();
+    };
+    await holding(taken, mark, () => expect.poll(holder, { timeout: 2000 }).not.toBeNull());
     network.lose();
     await lost(page).waitFor(kSoon);
     await fixture.screenshot(`lost-server-${name}`, page);

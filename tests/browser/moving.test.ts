@@ -13,6 +13,8 @@ const kSoon = { timeout: 20_000 };
 const status = () => fixture.page.getByRole("status", { name: "Run status" }).locator("strong").innerText();
 const question = () => fixture.page.getByRole("alertdialog", { name: "Before it moves" });
 const press = (key: string) => fixture.page.keyboard.press(key);
+/** What is pressed then answers the question. */
+const isAsked = () => expect.poll(() => question().evaluate((dialog) => dialog.contains(document.activeElement)), kSoon).toBe(true);
 /** The id of the run that the page watches. */
 const watched = () => fixture.page.getByRole("combobox", { name: "Watched run" }).inputValue();
 const make = async (document: string) => ((await fixture.send("POST", "/cores", { document })) as { readonly id: string }).id;
@@ -38,6 +40,7 @@ describe("what starts a run", () => {
     await page.getByRole("listitem", { name: "lifting" }).getByRole("button", { name: "Start" }).click();
     const refuse = async (asked: string) => {
       await expect.poll(() => question().innerText()).toContain(`This moves robot. ${asked}?`);
+      await isAsked();
       await press("Escape");
       await question().waitFor({ state: "detached" });
     };
@@ -58,12 +61,11 @@ describe("what starts a run", () => {
   it("does, once a person has said so, what was asked for, and a step of a run that has begun is not asked about", async () => {
     const { page } = fixture;
     await press("F4");
-    await question().waitFor();
+    await isAsked();
     await press("Enter");
     await expect.poll(status, kSoon).toContain("Paused");
-    const said = await page.getByRole("complementary", { name: "Properties" }).innerText();
-    expect(said).toContain("Paused: the task takes no more inputs");
-    expect(said).toContain("Stop: the run ends, and its services are told to be safe: a robot brakes and stands.");
+    for (const said of ["Paused: the task takes no more inputs", "Stop: the run ends, and its services are told to be safe: a robot brakes and stands."])
+      await expect.poll(() => page.getByRole("complementary", { name: "Properties" }).innerText(), kSoon).toContain(said);
     await press("Shift+F4");
     await expect.poll(() => page.getByRole("status", { name: "Run status" }).innerText(), kSoon).toMatch(/step [1-9]/);
     expect(await question().count()).toBe(0);
@@ -79,7 +81,7 @@ describe("a key that starts a run", () => {
     await page.goto(`${fixture.url}/pro/?run=${await make("lifting")}`);
     await settled(page);
     await press("F5");
-    await question().waitFor();
+    await isAsked();
     expect(await question().innerText()).toContain("This moves robot. Start?");
     await press("F5");
     expect(await findings(page)).toEqual([]);
@@ -88,7 +90,7 @@ describe("a key that starts a run", () => {
     await question().waitFor({ state: "detached" });
     expect(await status()).toBe("Ready");
     await press("F5");
-    await question().waitFor();
+    await isAsked();
     await press("Enter");
     await expect.poll(status, kSoon).toBe("Ended: up");
   });
@@ -116,7 +118,7 @@ describe("a key that starts a run", () => {
     await expect.poll(watched, kSoon).not.toBe(before);
     await expect.poll(status, kSoon).toBe("Ended: up");
     await press("F5");
-    await question().waitFor();
+    await isAsked();
     await press("Escape");
     await fixture.send("PUT", "/documents/resting", { rcm: 1, name: "resting", root: { state: "Root", entry: "svc.timer.start(0.05)", ports: [{ name: "rested", when: "svc.timer.start.result" }] } });
     await page.goto(`${fixture.url}/pro/?run=${await make("resting")}`);
@@ -138,11 +140,12 @@ describe("what lets a task go on by other ways", () => {
     await settled(page);
     await press("F6");
     await expect.poll(() => question().innerText(), kSoon).toContain("This moves robot. Resume?");
+    await isAsked();
     await press("Escape");
     await question().waitFor({ state: "detached" });
     expect(await status()).toBe("Paused");
     await press("F6");
-    await question().waitFor();
+    await isAsked();
     await press("Enter");
     await expect.poll(status, kSoon).toBe("Ended: up");
     await page.evaluate(() => sessionStorage.clear());
@@ -157,10 +160,10 @@ describe("what lets a task go on by other ways", () => {
     const form = page.getByRole("dialog", { name: "Arguments of lifting_as" });
     await form.getByRole("button", { name: "Load and start" }).click();
     await expect.poll(() => question().innerText(), kSoon).toContain("This moves robot. Start?");
-    expect(await form.count()).toBe(0);
+    await expect.poll(() => form.count(), kSoon).toBe(0);
     const core = (await fixture.send("GET", `/cores/${await watched()}`)) as { readonly status: string; readonly document: string };
     expect([core.document, core.status]).toEqual(["lifting_as", "ready"]);
-    expect(await page.evaluate(() => document.activeElement?.textContent)).toContain("Start");
+    await expect.poll(() => page.evaluate(() => document.activeElement?.textContent), kSoon).toContain("Start");
     await press("Enter");
     await expect.poll(status, kSoon).toBe("Ended: up");
   });
@@ -178,7 +181,7 @@ describe("the reset of the demo", () => {
     await page.getByRole("tab", { name: "Cell" }).click();
     await page.getByRole("button", { name: "Reset demo" }).click();
     await expect.poll(() => reset().innerText(), kSoon).toContain(`run ${id} of lifting is not over; stop it before the cell is reset`);
-    expect(await reset().getByRole("button", { name: "Reset", exact: true }).isDisabled()).toBe(true);
+    await expect.poll(() => reset().getByRole("button", { name: "Reset", exact: true }).isDisabled(), kSoon).toBe(true);
     await fixture.send("POST", `/cores/${id}/stop`);
     await expect.poll(() => reset().getByRole("button", { name: "Reset", exact: true }).isDisabled(), kSoon).toBe(false);
     await fixture.screenshot("reset-ask");
@@ -194,7 +197,7 @@ describe("the reset of the demo", () => {
     await page.getByRole("button", { name: "Reset demo" }).click();
     await reset().getByRole("button", { name: "Reset", exact: true }).click();
     await reset().waitFor({ state: "detached" });
-    expect(await absent()).toEqual([]);
+    await expect.poll(() => absent(), kSoon).toEqual([]);
     await expect.poll(() => page.getByRole("button", { name: /^Put back/ }).count(), kSoon).toBe(0);
     await fixture.send("PUT", "/documents/reading", { rcm: 1, name: "reading", root: { state: "Root", entry: 'svc.db.get("lifted")', ports: [{ name: "there", when: "svc.db.get.result" }, { name: "gone", when: "svc.db.get.error" }] } });
     const id = await make("reading");

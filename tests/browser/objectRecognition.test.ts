@@ -6,6 +6,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { isExactObject, itemsOf, type ExactObject } from "../../web/shared/edit/clipboard/json";
 import { readExact, writeExact, type ExactJson } from "../../web/shared/edit/exact";
+import { offered } from "./editPage";
 import { demo, openFixture, settled, type Fixture } from "./fixture";
 import { heard, keyboard, mouse } from "./hands";
 
@@ -102,7 +103,7 @@ describe("ObjectRecognition, built by hand", () => {
     await rename("HasCalibration");
     await fill(hasCalibration);
     await expect.poll(() => storedState("HasCalibration"), kLong).toEqual(hasCalibration);
-    expect(await unsent()).toBe(0);
+    await expect.poll(() => unsent()).toBe(0);
   }, kPatience);
 
   it("goes on with a link and a state that are dragged into the drawing, and a line, by mouse", async () => {
@@ -129,7 +130,7 @@ describe("ObjectRecognition, built by hand", () => {
     await lead("ObjectRecognition/LoadCalibration.yes", "ObjectRecognition/DetectObject");
     await expect.poll(async () => writeExact((await stored())["library"] ?? null)).toContain('"to":"DetectObject"');
     await fixture.screenshot("by-hand-mouse");
-    expect(await unsent()).toBe(0);
+    await expect.poll(() => unsent()).toBe(0);
   }, kPatience);
 
   it("goes on by keyboard alone: states, lines, and SaveObjectPose in the state editor", async () => {
@@ -165,11 +166,10 @@ describe("ObjectRecognition, built by hand", () => {
     await page.keyboard.type("svc.db.ad");
     await page.getByRole("option", { name: /^add/ }).waitFor();
     await fixture.screenshot("by-hand-completion");
-    await page.waitForTimeout(100);
+    await offered(page, "add");
     await keys("Tab");
     await page.keyboard.type("par.ke");
-    await page.getByRole("option", { name: /^key/ }).waitFor();
-    await page.waitForTimeout(100);
+    await offered(page, "key");
     await keys("Tab");
     await page.keyboard.type(", par.pose");
     await keys("Control+Enter");
@@ -179,7 +179,7 @@ describe("ObjectRecognition, built by hand", () => {
     await keys("Escape");
     await editor.waitFor({ state: "detached" });
 
-    expect(await heard(page)).toBe(`Drawing of ${kName}`);
+    await expect.poll(() => heard(page)).toBe(`Drawing of ${kName}`);
     await keys("ArrowLeft", "ArrowLeft", "Control+l");
     await page.getByRole("menu", { name: "Connect to" }).waitFor();
     await fixture.screenshot("by-hand-connect");
@@ -191,7 +191,7 @@ describe("ObjectRecognition, built by hand", () => {
     await keys("ArrowUp", "Enter");
     await rest({ actions: recognition["actions"] ?? [], ports: recognition["ports"] ?? [] });
     await expect.poll(() => storedState("ObjectRecognition"), kLong).toEqual(recognition);
-    expect(await unsent()).toBe(0);
+    await expect.poll(() => unsent()).toBe(0);
   }, kPatience);
 
   it("ends with the task around it, by keyboard alone", async () => {
@@ -272,10 +272,10 @@ describe("ObjectRecognition, built by hand", () => {
       await page.getByText(/· saved/).waitFor();
     };
     await all("Undo", "Control+z");
-    expect(await stored()).toEqual(empty);
+    await expect.poll(() => stored()).toEqual(empty);
     await fixture.screenshot("by-hand-undone");
     await all("Redo", "Control+y");
-    expect(await stored()).toEqual(built);
+    await expect.poll(() => stored()).toEqual(built);
   }, kPatience);
 });
 

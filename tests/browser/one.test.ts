@@ -5,9 +5,10 @@ import { join } from "node:path";
 import { devices, type Locator, type Page } from "playwright-core";
 import { findings } from "./axe";
 import { expectStill, otherPerson, secondFinger, slowRobot } from "./comes";
+import { tap } from "./fingers";
 import { dragTo } from "./hands";
 import { binary, demo, openFixture, openPrepared, project, settled, type Fixture } from "./fixture";
-import { prepareToMove } from "./prepare";
+import { prepareToMove, returnToExecution } from "./prepare";
 
 interface StateJson {
   readonly state: string;
@@ -118,7 +119,7 @@ describe("an application of skills", () => {
     const first = await card("Wait").boundingBox();
     if (first === null) throw new Error("there is no card");
     await dragTo(page, await middle(skill("AskYesNo")), { x: first.x + 20, y: first.y + 60 });
-    expect(await page.locator(".drop-here").count()).toBe(1);
+    await expect.poll(() => page.locator(".drop-here").count()).toBe(1);
     await page.mouse.up();
     await expect.poll(() => titles(task("Pause a bit"))).toEqual(["Ask yes or no", "Wait", "Show a text"]);
     const last = await card("Show a text").boundingBox();
@@ -153,7 +154,7 @@ describe("an application of skills", () => {
 
   it("does not take a skill whose service is not there, and says which that is", async () => {
     await skill("Cut").getByText("Not here: the service laser").waitFor();
-    expect(await skill("Cut").getAttribute("aria-disabled")).toBe("true");
+    await expect.poll(() => skill("Cut").getAttribute("aria-disabled")).toBe("true");
     const before = await titles(task("Pause a bit"));
     await skill("Cut").click({ force: true });
     await page.getByLabel("Search skills").fill("laser");
@@ -212,7 +213,7 @@ describe("an application of skills", () => {
     await task("Repeat").getByRole("button", { name: /^Repeat/ }).first().click();
     await panel().getByRole("button", { name: "Do not repeat" }).click();
     await task("Pause a bit").waitFor();
-    expect(await page.locator(".task").count()).toBe(1);
+    await expect.poll(() => page.locator(".task").count()).toBe(1);
   });
 
   it("is built by keys alone, too", async () => {
@@ -243,7 +244,7 @@ describe("an application of skills", () => {
 describe("the run of an application", () => {
   it("says what happens, asks its questions here, and says what went wrong and what to do", async () => {
     await page.getByRole("button", { name: "Run", exact: true }).click();
-    expect(new URL(page.url()).hash).toBe("#run");
+    await expect.poll(() => new URL(page.url()).hash).toBe("#run");
     expect(await faults(page)).toEqual([]);
     await page.getByRole("button", { name: "Start", exact: true }).click();
     await page.getByRole("heading", { name: "Ask yes or no" }).waitFor();
@@ -254,7 +255,7 @@ describe("the run of an application", () => {
     await page.getByRole("button", { name: "Yes", exact: true }).click();
     await page.getByRole("heading", { name: "Move to: The place is not known" }).waitFor();
     await page.getByText("Show the place to the arm again.").waitFor();
-    expect(await status().innerText()).toBe("Stopped by an error");
+    await expect.poll(() => status().innerText()).toBe("Stopped by an error");
     await fixture.screenshot("one-run-failed");
     expect(await faults(page)).toEqual([]);
   });
@@ -286,7 +287,7 @@ describe("the run of an application", () => {
     await fixture.screenshot("one-run-asks");
     await page.getByRole("button", { name: "Go on with the next step" }).click();
     await page.getByRole("heading", { name: "All done" }).waitFor();
-    expect(await page.getByRole("region", { name: "What went wrong", exact: true }).count()).toBe(0);
+    await expect.poll(() => page.getByRole("region", { name: "What went wrong", exact: true }).count()).toBe(0);
     await page.getByText("Move to: The place is not known. The step was left out, as a person said.").waitFor();
     await expect.poll(() => page.getByRole("region", { name: "Runs until now" }).innerText(), kSoon).toMatch(/^Of (1 run|all \d+ runs): 1 finished/);
     await page.getByText("Cycle time").waitFor();
@@ -319,7 +320,7 @@ describe("a taught pose", () => {
     await keep("pose_left", { pose: { position: [0.5, 0.2, 0.3], orientation: [1, 0, 0, 0] }, q: joints });
     await page.goto(`${fixture.url}/one/?edit=sort-parts`);
     await card("Move to").click();
-    expect(await panel().getByRole("button", { name: "Show the arm there" }).isDisabled()).toBe(true);
+    await expect.poll(() => panel().getByRole("button", { name: "Show the arm there" }).isDisabled()).toBe(true);
     await panel().getByLabel("Place", { exact: true }).selectOption({ label: "left" });
     await card("Move to").getByText("left").waitFor();
     await panel().getByRole("button", { name: "Show the arm there" }).click();
@@ -341,10 +342,10 @@ describe("a pose that nobody has taught", () => {
     await panel().getByLabel("Place: name of the pose").fill("nowhere_else");
     await panel().getByRole("button", { name: "Use it" }).click();
     await warning().first().waitFor();
-    expect(await warning().count(), "on the card, and above all tasks").toBe(2);
+    await expect.poll(() => warning().count(), { message: "on the card, and above all tasks" }).toBe(2);
     await page.getByRole("button", { name: "Run", exact: true }).click();
     await warning().waitFor();
-    expect(await page.getByRole("button", { name: /^Start/ }).isEnabled(), "a step may teach it").toBe(true);
+    await expect.poll(() => page.getByRole("button", { name: /^Start/ }).isEnabled(), { message: "a step may teach it" }).toBe(true);
     expect(await faults(page)).toEqual([]);
     await fixture.screenshot("one-untaught");
     await page.getByRole("button", { name: "Teach it: “nowhere_else”" }).click();
@@ -354,6 +355,14 @@ describe("a pose that nobody has taught", () => {
     await expect.poll(() => warning().count()).toBe(0);
   });
 });
+
+/** The mode is changed back where runs are. */
+async function leaveTeaching(of: Page): Promise<void> {
+  await panel(of).getByRole("button", { name: "Do not teach" }).click();
+  await of.getByRole("button", { name: "Run", exact: true }).click();
+  await of.getByRole("region", { name: "Mode", exact: true }).waitFor();
+  await returnToExecution(of);
+}
 
 describe("a pose that is taught in place", () => {
   const heights = async (): Promise<readonly number[]> => ((await fixture.send("POST", "/services/robot/calls", { operation: "state" })) as { readonly result: { readonly pose: { readonly position: readonly number[] } } }).result.pose.position;
@@ -379,7 +388,7 @@ describe("a pose that is taught in place", () => {
     await page.goto(`${fixture.url}/one/?edit=sort-parts`);
     await card("Move to").click();
     await panel().getByRole("button", { name: "Teach here" }).click();
-    expect(await panel().getByRole("button", { name: "Up, tool along Z plus, while held" }).isDisabled()).toBe(true);
+    await expect.poll(() => panel().getByRole("button", { name: "Up, tool along Z plus, while held" }).isDisabled()).toBe(true);
     const [, , start = 0] = await heights();
     const byMouse = await raise(
       start + 0.005,
@@ -409,13 +418,8 @@ describe("a pose that is taught in place", () => {
     await card("Move to").click();
     await panel().getByRole("button", { name: "Teach here" }).click();
     expect(await faults(page)).toEqual([]);
-    await panel().getByRole("region", { name: "Before you move the robot" }).getByRole("button", { name: "Take the controls" }).click();
-    await page.getByText("You have the controls").waitFor();
-    await panel().getByRole("button", { name: "Do not teach" }).click();
-    await page.getByRole("button", { name: "Run", exact: true }).click();
-    await page.getByRole("region", { name: "Mode", exact: true }).getByRole("button", { name: "Execution" }).click();
-    await page.getByText("Execution mode").waitFor();
-    await page.getByRole("button", { name: "Give back" }).click();
+    await prepareToMove(page, panel());
+    await leaveTeaching(page);
     await page.goto(`${fixture.url}/one/?edit=sort-parts`);
     await card("Move to").waitFor();
   });
@@ -433,12 +437,10 @@ describe("the buttons that move the arm", () => {
     const name = "Up, tool along Z plus, while held";
     const held = panel(person).getByRole("button", { name, exact: true });
     await held.scrollIntoViewIfNeeded();
-    await expectStill(person, [name, "Down, tool along Z minus, while held"], secondFinger(person, held), await slowRobot(fixture, person, "sort-parts"), await otherPerson(fixture, person));
+    const coming = [secondFinger(person, held), await slowRobot(fixture, person, "sort-parts"), await otherPerson(fixture, person)];
+    await expectStill(person, [name, "Down, tool along Z minus, while held"], () => prepareToMove(person, panel(person)), ...coming);
     await fixture.screenshot(`one-still-${width}`, person);
-    await panel(person).getByRole("button", { name: "Do not teach" }).click();
-    await person.getByRole("button", { name: "Run", exact: true }).click();
-    await person.getByRole("region", { name: "Mode", exact: true }).getByRole("button", { name: "Execution" }).click();
-    await person.getByText("Execution mode").waitFor();
+    await leaveTeaching(person);
     await person.context().close();
   });
 
@@ -446,18 +448,17 @@ describe("the buttons that move the arm", () => {
     const tablet = await (await fixture.openContext({ viewport: { width: 820, height: 1180 }, hasTouch: true, reducedMotion: "reduce" })).newPage();
     tablet.setDefaultTimeout(20_000);
     await tablet.goto(`${fixture.url}/one/?edit=sort-parts`);
-    await card("Move to", tablet).tap();
-    await panel(tablet).getByRole("button", { name: "Teach here" }).tap();
+    await tap(card("Move to", tablet));
+    await tap(panel(tablet).getByRole("button", { name: "Teach here" }));
     await panel(tablet).getByRole("button", { name: "Up, tool along Z plus, while held", exact: true }).waitFor();
     const slow = await slowRobot(fixture, tablet, "sort-parts");
     await slow.comes();
     const sign = tablet.locator(".speed-sign");
     await panel(tablet).locator(".speed-sign").waitFor();
-    await panel(tablet).getByRole("button", { name: "Close the settings" }).tap();
+    await tap(panel(tablet).getByRole("button", { name: "Close the settings" }));
     await expect.poll(() => panel(tablet).isVisible()).toBe(false);
     await sign.waitFor();
-    expect(await sign.isVisible()).toBe(true);
-    await card("Move to", tablet).tap();
+    await tap(card("Move to", tablet));
     await panel(tablet).locator(".speed-sign").waitFor();
     await slow.goes();
     await tablet.context().close();
@@ -485,11 +486,11 @@ describe("what a task shows and asks", () => {
     await entry.fill("9");
     await question.getByText("At most 8").waitFor();
     const give = question.getByRole("button", { name: "Answer" });
-    expect([await give.isDisabled(), await entry.getAttribute("aria-invalid")]).toEqual([true, "true"]);
+    await expect.poll(async () => [await give.isDisabled(), await entry.getAttribute("aria-invalid")]).toEqual([true, "true"]);
     expect(await faults(page)).toEqual([]);
     await fixture.screenshot("one-progress");
     await entry.fill("3");
-    expect(await question.getByText("At most 8").count()).toBe(0);
+    await expect.poll(() => question.getByText("At most 8").count()).toBe(0);
     await give.click();
     await question.waitFor({ state: "detached" });
   });
@@ -511,8 +512,8 @@ describe("the demonstrator", () => {
   it("is two tasks to look at (thesis, Fig. A.3), and the menu of SearchObject changes its labels", async () => {
     await page.goto(`${fixture.url}/one/?edit=demonstrator`);
     await task("Calibrate the camera").waitFor();
-    expect(await page.getByRole("region", { name: /^Task / }).count()).toBe(2);
-    expect(await titles(task("Clear the table").locator("> ol"))).toEqual(["Take out", "Aside", "Place area", "Say", "Search a part, with gestures", "Work"]);
+    await expect.poll(() => page.getByRole("region", { name: /^Task / }).count()).toBe(2);
+    await expect.poll(() => titles(task("Clear the table").locator("> ol"))).toEqual(["Take out", "Aside", "Place area", "Say", "Search a part, with gestures", "Work"]);
     expect(await page.getByRole("button", { name: /Add a (task|skill)/ }).count()).toBe(0);
     await card("Search a part, with gestures").first().click();
     await expect.poll(() => new URL(page.url()).searchParams.get("step")).not.toBeNull();
@@ -549,7 +550,7 @@ describe("the demonstrator", () => {
   it("leads to the expert page and back", async () => {
     await page.getByRole("link", { name: "Open in Pro" }).click();
     await settled(page);
-    expect(new URL(page.url()).searchParams.get("edit")).toBe("demonstrator");
+    await expect.poll(() => new URL(page.url()).searchParams.get("edit")).toBe("demonstrator");
     await page.getByRole("link", { name: "One", exact: true }).click();
     await task("Clear the table").waitFor();
   });
@@ -567,6 +568,7 @@ describe("both pages at once", () => {
     await skill("Wait").click();
     await expect.poll(async () => (await stored("sort-parts")).root.children?.[0]?.children?.some((each) => each.state === "T_Wait2"), kSoon).toBe(true);
     await state("T_Wait2").waitFor();
+    await settled(pro);
     await state("T_Wait2").click({ position: { x: 20, y: 8 } });
     const form = pro.getByRole("complementary", { name: "Properties" });
     const description = form.getByLabel("Description", { exact: true }).first();
@@ -586,17 +588,17 @@ describe("on a phone and a tablet", () => {
     await card("Wait", phone).first().waitFor();
     expect(await faults(phone)).toEqual([]);
     await fixture.screenshot("one-phone", phone);
-    await card("Show a text", phone).tap();
+    await tap(card("Show a text", phone));
     await panel(phone).getByRole("textbox", { name: "Text" }).waitFor();
     expect(await faults(phone)).toEqual([]);
     await fixture.screenshot("one-phone-panel", phone);
-    await panel(phone).getByRole("button", { name: "Close the settings" }).tap();
-    await phone.getByRole("button", { name: "+ Add a skill" }).tap();
+    await tap(panel(phone).getByRole("button", { name: "Close the settings" }));
+    await tap(phone.getByRole("button", { name: "+ Add a skill" }));
     await skill("Say", phone).waitFor();
     await fixture.screenshot("one-phone-skills", phone);
-    await skill("Say", phone).tap();
+    await tap(skill("Say", phone));
     await expect.poll(() => titles(task("Pause a bit", phone))).toContain("Show a text");
-    await panel(phone).getByRole("button", { name: "Close the settings" }).tap();
+    await tap(panel(phone).getByRole("button", { name: "Close the settings" }));
     const fingers = await context.newCDPSession(phone);
     const touch = (type: "touchStart" | "touchMove" | "touchEnd", ...touchPoints: readonly { readonly x: number; readonly y: number }[]) => fingers.send("Input.dispatchTouchEvent", { type, touchPoints: [...touchPoints] });
     await card("Wait", phone).first().scrollIntoViewIfNeeded();
@@ -611,10 +613,10 @@ describe("on a phone and a tablet", () => {
     await expect.poll(() => card("Wait", phone).first().getAttribute("aria-pressed")).toBe("true");
     await phone.waitForTimeout(800); // a tap that follows a touch within less is the second of a double tap
     expect(await panel(phone).isVisible()).toBe(false);
-    await card("Wait", phone).first().tap();
+    await tap(card("Wait", phone).first());
     await fixture.screenshot("one-phone-dragged", phone);
     await panel(phone).getByLabel("For", { exact: true }).waitFor();
-    expect(await card("Wait", phone).first().getAttribute("aria-pressed")).toBe("true");
+    await expect.poll(() => card("Wait", phone).first().getAttribute("aria-pressed")).toBe("true");
     await phone.goto(`${fixture.url}/one/?edit=sort-parts#run`);
     await phone.getByRole("button", { name: /^Start/ }).waitFor();
     expect(await faults(phone)).toEqual([]);
@@ -626,7 +628,7 @@ describe("on a phone and a tablet", () => {
     const context = await fixture.openContext({ viewport: { width: 820, height: 1180 }, hasTouch: true, reducedMotion: "reduce" });
     const tablet = await context.newPage();
     await tablet.goto(`${fixture.url}/one/?edit=sort-parts`);
-    await card("Wait", tablet).first().tap();
+    await tap(card("Wait", tablet).first());
     await panel(tablet).getByLabel("For", { exact: true }).waitFor();
     expect(await faults(tablet)).toEqual([]);
     await fixture.screenshot("one-tablet", tablet);
@@ -650,7 +652,7 @@ describe("a server with accounts", () => {
       await card("Approach", one).click();
       await panel(one).getByText(/^You can look at it:/).waitFor();
       await one.getByRole("button", { name: "Run", exact: true }).click();
-      expect(await one.getByRole("button", { name: "Start", exact: true }).isDisabled()).toBe(true);
+      await expect.poll(() => one.getByRole("button", { name: "Start", exact: true }).isDisabled()).toBe(true);
       await others.screenshot("one-observer");
       await one.goto(`${others.url}/one/?edit=demonstrator`);
       await card("Search a part, with gestures", one).first().click();

@@ -2,6 +2,7 @@
 import { execFileSync } from "node:child_process";
 import { devices, type Page } from "playwright-core";
 import { findings } from "./axe";
+import { tap } from "./fingers";
 import { binary, openPrepared, type Fixture } from "./fixture";
 import { readCode } from "./qrCode";
 
@@ -58,12 +59,12 @@ describe("a phone that scans a code", () => {
     const device = await phone(address);
     await paired(device).getByText("Paired by ada until").waitFor();
     await device.getByRole("status", { name: "Connection" }).filter({ hasText: "Connected" }).waitFor();
-    expect(new URL(device.url()).hash).toBe("");
-    expect(new URL(device.url()).search).toBe("?name=left&place=gripper");
+    await expect.poll(() => new URL(device.url()).hash).toBe("");
+    await expect.poll(() => new URL(device.url()).search).toBe("?name=left&place=gripper");
     await fixture.screenshot("paired-phone", device);
-    await paired(device).getByRole("button", { name: "OK" }).tap();
-    await device.getByRole("link", { name: "Move" }).tap();
-    await device.getByRole("button", { name: "Take the controls" }).first().tap();
+    await tap(paired(device).getByRole("button", { name: "OK" }));
+    await tap(device.getByRole("link", { name: "Move" }));
+    await tap(device.getByRole("button", { name: "Take the controls" }).first());
     await device.getByText("You have the controls").waitFor();
     // It is paired as long as was said, not as long as the page is open.
     await device.reload();
@@ -118,9 +119,9 @@ describe("a phone that scans a code", () => {
     await page.waitForTimeout(300);
     const device = await phone(await scan(page));
     await paired(device).getByText("sees everything, changes nothing").waitFor();
-    await paired(device).getByRole("button", { name: "OK" }).tap();
-    await device.getByRole("link", { name: "Move" }).tap();
-    expect(await device.getByRole("button", { name: "Take the controls" }).first().isDisabled()).toBe(true);
+    await tap(paired(device).getByRole("button", { name: "OK" }));
+    await tap(device.getByRole("link", { name: "Move" }));
+    await expect.poll(() => device.getByRole("button", { name: "Take the controls" }).first().isDisabled()).toBe(true);
     for (const each of [page, device]) await each.context().close();
   });
 });

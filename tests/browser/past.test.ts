@@ -113,8 +113,8 @@ describe("going back", () => {
       expect(again.length).toBeLessThan(60);
     }
     expect(again).toEqual(expect.arrayContaining([...seen.keys()].reverse()));
-    expect(await isActive("Root/After")).toBe("true");
-    expect(await banner().count()).toBe(0);
+    await soon(() => isActive("Root/After")).toBe("true");
+    await soon(() => banner().count()).toBe(0);
   });
 
   it("is said over the whole page, and leaves the run where it is", async () => {
@@ -124,9 +124,8 @@ describe("going back", () => {
     const { step } = before;
     await soon(moment).toMatch(/\.\d+$/);
     await soon(() => banner().innerText()).toContain(`You look at step ${moment() ?? ""}. The run is at ${step}. Robots do not move back.`);
-    const box = await banner().boundingBox();
-    expect(box?.width).toBe(1366);
-    expect(await page.getByRole("toolbar", { name: "Run", exact: true }).getByText("The present").isVisible()).toBe(true);
+    await soon(async () => (await banner().boundingBox())?.width).toBe(1366);
+    await soon(() => page.getByRole("toolbar", { name: "Run", exact: true }).getByText("The present").isVisible()).toBe(true);
     expect(await core(id)).toEqual(before);
     expect(await findings(page)).toEqual([]);
     await fixture.screenshot("past");
@@ -156,7 +155,8 @@ describe("going back", () => {
 
   it("is in the address: the browser's Back leads to the moment before, and a link to it is enough", async () => {
     const at = await go("F9");
-    const then = await active();
+    const then = await activeThen(id, at);
+    await soon(active).toBe(then);
     await go("Control+F9");
     await page.goBack();
     await soon(moment).toBe(at);
@@ -175,8 +175,8 @@ describe("going back", () => {
     fixture.allowError(/400 .*past\?step=999/);
     await page.goto(`${fixture.url}/pro/?run=${id}&at=999.0`);
     await soon(() => page.locator(".problem").innerText()).toMatch(/there are macro steps 1 to \d+/);
-    expect(moment()).toBeNull();
-    expect(await banner().count()).toBe(0);
+    await soon(moment).toBeNull();
+    await soon(() => banner().count()).toBe(0);
   });
 
   it("comes of a step that is picked in the derivation, and of the slider", async () => {
@@ -215,8 +215,8 @@ describe("going back in a run that was edited", () => {
     await page.keyboard.press("Control+F9");
     await soon(moment).toMatch(/^1\./);
     await page.locator('.canvas [data-path="Root/B"]').waitFor();
-    expect(await page.getByRole("treeitem", { name: "Root/Later" }).count()).toBe(0);
-    expect(await banner().innerText()).not.toContain("may be another");
+    await soon(() => page.getByRole("treeitem", { name: "Root/Later" }).count()).toBe(0);
+    await soon(() => banner().innerText()).not.toContain("may be another");
     await page.keyboard.press("Escape");
     await page.locator('.canvas [data-path="Root/Later"]').waitFor();
   });

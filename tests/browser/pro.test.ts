@@ -86,7 +86,7 @@ describe("RACE Pro", () => {
     const id = await page.getByRole("combobox", { name: "Watched run" }).inputValue();
     const derived = await derive(id);
     const steps = page.getByRole("list", { name: "Macro steps" }).getByRole("button");
-    expect(await steps.count()).toBe(derived.length);
+    await expect.poll(() => steps.count()).toBe(derived.length);
     const carded = new Set<string>();
     for (const [i, step] of derived.entries()) {
       await showStep(page, i);
@@ -103,7 +103,7 @@ describe("RACE Pro", () => {
           if (carded.has(kind)) continue;
           carded.add(kind);
           await pickRow(proof, n);
-          expect(await shownCard(page.getByRole("region", { name: "Inference" })), `${where}, node ${n}`).toEqual(expectedCard(node));
+          await expect.poll(() => shownCard(page.getByRole("region", { name: "Inference" })), { message: `${where}, node ${n}` }).toEqual(expectedCard(node));
         }
       }
     }
@@ -124,7 +124,7 @@ describe("RACE Pro", () => {
 
   it("fires the port once what the explanation names has changed", async () => {
     const why = page.getByRole("region", { name: "Why" });
-    expect(await why.locator("[data-blocks=true] code").allInnerTexts()).toEqual(["svc.gripper.release.result"]);
+    await expect.poll(() => why.locator("[data-blocks=true] code").allInnerTexts()).toEqual(["svc.gripper.release.result"]);
     await page.getByRole("button", { name: "Macro step" }).click();
     await expect.poll(() => page.getByRole("treeitem", { name: "Pick/GetPose", exact: true }).getAttribute("data-active"), { timeout: 20_000 }).toBe("true");
   });
@@ -178,7 +178,7 @@ describe("RACE Pro", () => {
     for (const key of ["robot", "gripper", "db", "timer"]) {
       const service = page.getByRole("article", { name: `Service ${key}` });
       await service.getByRole("img", { name: /, now in \w+/ }).waitFor();
-      expect(await service.locator(".rsm-state.is-active").count()).toBe(1);
+      await expect.poll(() => service.locator(".rsm-state.is-active").count()).toBe(1);
     }
     await fixture.screenshot("services");
   });

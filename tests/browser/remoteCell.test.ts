@@ -61,7 +61,7 @@ async function end(): Promise<void> {
 describe("a cell that is a process", () => {
   it("is reported as missing before it starts", async () => {
     await away().waitFor(kSoon);
-    expect(await listed()).toEqual([]);
+    await expect.poll(() => listed(), kSoon).toEqual([]);
   });
 
   it("is shown as soon as it is connected, without a reload", async () => {
@@ -77,7 +77,7 @@ describe("a cell that is a process", () => {
   it("is removed from the page when its process is killed", async () => {
     await end();
     await away().waitFor(kSoon);
-    expect(await listed()).toEqual([]);
+    await expect.poll(() => listed(), kSoon).toEqual([]);
     await clock().waitFor({ ...kSoon, state: "detached" });
     await fixture.screenshot("cell-away");
   });
@@ -89,7 +89,7 @@ describe("a cell that is a process", () => {
     await button("Parts").click();
     await find(fixture.page, /^crate$/, kCrate);
     await fixture.page.mouse.move(place.x, place.y);
-    expect(parts).not.toContain(await view(fixture.page).getAttribute("title"));
+    await expect.poll(async () => parts.includes((await view(fixture.page).getAttribute("title")) ?? ""), kSoon).toBe(false);
     expect(await button("Put back crate").count()).toBe(0);
     await fixture.screenshot("cell-crate");
   });

@@ -1,6 +1,7 @@
 // RACE-One: steps that are repeated until one of them says so, chosen in the form of the loop and run; and what is refused there. On the real server.
 import { devices, type Page } from "playwright-core";
 import { findings } from "./axe";
+import { tap } from "./fingers";
 import { openFixture, type Fixture } from "./fixture";
 
 interface StateJson {
@@ -10,7 +11,7 @@ interface StateJson {
   readonly ports?: readonly { readonly name: string; readonly when?: string }[];
 }
 
-const kSoon = { timeout: 15_000 };
+const kSoon = { timeout: 30_000 };
 const kApplication = "fill";
 
 let fixture: Fixture;
@@ -18,7 +19,7 @@ let page: Page;
 beforeAll(async () => {
   fixture = await openFixture();
   page = await (await fixture.openContext({ viewport: { width: 1366, height: 900 }, reducedMotion: "reduce", colorScheme: "light" })).newPage();
-  page.setDefaultTimeout(15_000);
+  page.setDefaultTimeout(30_000);
   await fixture.send("PUT", `/documents/${kApplication}`, { rcm: 1, name: kApplication, root: { state: "Application", meta: { id: "root" } } });
   await page.goto(`${fixture.url}/one/?edit=${kApplication}`);
   await page.getByLabel("Name of the task").fill("Fill a box");
@@ -59,7 +60,7 @@ it("is an outcome of a step that is repeated, as a choice beside how often", asy
   await until().check();
   await card("Repeat").getByText("until “There are as many as wanted”").waitFor();
   await expect.poll(written, kSoon).toEqual({ success: "chi.Count.port.done or chi.Body.port.done", done: "chi.Count.port.reached", times: 0 });
-  expect(await panel().getByRole("textbox", { name: "Times" }).count()).toBe(0);
+  await expect.poll(() => panel().getByRole("textbox", { name: "Times" }).count(), kSoon).toBe(0);
   await fixture.screenshot("one-until", page);
   expect(await findings(page)).toEqual([]);
 });
@@ -76,7 +77,7 @@ it("is no more when the choice is taken back, and how often it repeats counts ag
 it("is chosen at the step, too, where it says what comes then, or what is done if it fails", async () => {
   await card("Count").click();
   const outcome = panel().getByRole("group", { name: "“There are as many as wanted”" });
-  expect(await outcome.getByRole("radio", { name: "End the loop" }).isChecked()).toBe(true);
+  await expect.poll(() => outcome.getByRole("radio", { name: "End the loop" }).isChecked(), kSoon).toBe(true);
   await outcome.getByRole("radio", { name: "Go on with the next round" }).check();
   await card("Repeat").getByText("3 ×").waitFor();
   await outcome.getByRole("radio", { name: "End the loop" }).check();
@@ -109,14 +110,14 @@ it("ends the loop when it is run, and the run is done", async () => {
   await page.getByRole("button", { name: "Run", exact: true }).click();
   await page.getByRole("button", { name: "Start", exact: true }).click();
   await page.getByRole("heading", { name: "All done" }).waitFor();
-  const { cores } = (await fixture.send("GET", "/cores")) as { readonly cores: readonly { readonly outcome?: string }[] };
-  expect(cores.map(({ outcome }) => outcome)).toEqual(["success"]);
+  const outcomes = async () => ((await fixture.send("GET", "/cores")) as { readonly cores: readonly { readonly outcome?: string }[] }).cores.map(({ outcome }) => outcome);
+  await expect.poll(outcomes, kSoon).toEqual(["success"]);
 });
 
 it("fits a phone, with choices that a finger hits", async () => {
   const phone = await (await fixture.openContext({ ...devices["Pixel 7"], reducedMotion: "reduce" })).newPage();
   await phone.goto(`${fixture.url}/one/?edit=${kApplication}`);
-  await card("Repeat", phone).tap();
+  await tap(card("Repeat", phone));
   const choice = panel(phone).locator("label", { hasText: "Until “Count” says" });
   await choice.waitFor();
   const box = await choice.boundingBox();

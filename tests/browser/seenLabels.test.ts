@@ -13,7 +13,7 @@ interface StateJson {
   readonly children?: readonly StateJson[];
 }
 
-const kSoon = { timeout: 15_000 };
+const kSoon = { timeout: 30_000 };
 const kApplication = "sorting";
 /** What stands on the table of the demo; the tool of the arm is a part, too, and may be seen. */
 const kParts = ["Bar", "Block", "Box", "Cube", "Tape"];
@@ -25,7 +25,7 @@ beforeAll(async () => {
   cpSync(demo, cell, { recursive: true, filter: (path) => !/(?:demonstrator|pick)\.rcm\.json$/.test(path) });
   fixture = await openFixture("--demo", cell);
   page = await (await fixture.openContext({ viewport: { width: 1366, height: 900 }, reducedMotion: "reduce", colorScheme: "light" })).newPage();
-  page.setDefaultTimeout(15_000);
+  page.setDefaultTimeout(30_000);
   const one = {
     state: "FindOne", doc: "Finds one part.", ports: [{ name: "success", when: "True" }], meta: { skill: true, title: "Find one", category: "vision" },
     parameters: [{ name: "label", value: "", type: "string", doc: "Which part.", meta: { domain: "label", title: "Part" } }],
@@ -67,7 +67,7 @@ describe("the field of several labels", () => {
     await says("Seen now");
     await expect.poll(seenLabels, kSoon).toEqual(kParts);
     await field("Parts").getByRole("checkbox", { name: "Tool", exact: true }).waitFor(); // seen, too, or else known to the service
-    expect(await field("Parts").getByRole("checkbox").count(), "each once").toBe(kParts.length + 1);
+    await expect.poll(() => field("Parts").getByRole("checkbox").count(), { ...kSoon, message: "each once" }).toBe(kParts.length + 1);
     await fixture.screenshot("one-seen-labels", page);
     expect(await findings(page)).toEqual([]);
   });
@@ -99,7 +99,7 @@ describe("the field of several labels", () => {
     });
     await seen().getByRole("button", { name: "Look again" }).click();
     await says("It is not known what the camera sees: no picture has come from the camera.");
-    expect(await seenLabels()).toEqual([]);
+    await expect.poll(() => seenLabels(), kSoon).toEqual([]);
     expect(await field("Parts").getByRole("checkbox", { name: "Box", exact: true }).count(), "the service knows it").toBe(1);
     await field("Parts").getByRole("textbox").fill("Gear");
     await field("Parts").getByRole("button", { name: "Add" }).click();
@@ -121,7 +121,7 @@ describe("the field of one label", () => {
     await box.fill("Gear");
     await box.press("Enter");
     await expect.poll(() => stored("FindOne", "label"), kSoon).toBe("Gear");
-    expect(await seen().getByRole("radio", { checked: true }).count()).toBe(0);
+    await expect.poll(() => seen().getByRole("radio", { checked: true }).count(), kSoon).toBe(0);
     expect(await findings(page)).toEqual([]);
   });
 });

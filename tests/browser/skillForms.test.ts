@@ -37,14 +37,14 @@ const kSkills = skillsOf(JSON.parse(readFileSync(join(demo, "skills.rcm.json"), 
 const kApplication = "all-skills";
 /** What a finger needs [px]; a pixel of the screen may be cut. */
 const kTarget = 43.5;
-const kSoon = { interval: 25, timeout: 15_000 };
+const kSoon = { interval: 25, timeout: 30_000 };
 
 let fixture: Fixture;
 let page: Page;
 beforeAll(async () => {
   fixture = await openFixture();
   ({ page } = fixture);
-  page.setDefaultTimeout(15_000);
+  page.setDefaultTimeout(30_000);
   await page.setViewportSize({ width: 1366, height: 900 });
   await page.emulateMedia({ reducedMotion: "reduce", colorScheme: "light" });
   await fixture.send("PUT", `/documents/${kApplication}`, { rcm: 1, name: kApplication, root: { state: "Application", meta: { id: "root" } } });
@@ -107,13 +107,13 @@ async function checkNumber(parameter: ParameterJson): Promise<void> {
   const before = (await onServer(parameter.name))?.value;
   for (const [text, why] of refused) {
     await enter(box, text);
-    expect(await field.getByRole("alert").innerText(), `${parameter.name}: ${text}`).toBe(why);
+    await expect.poll(() => field.getByRole("alert").innerText(), { ...kSoon, message: `${parameter.name}: ${text}` }).toBe(why);
     expect(await box.getAttribute("aria-invalid")).toBe("true");
   }
   expect((await onServer(parameter.name))?.value).toEqual(before);
   await enter(box, inWords(min * factor));
   await becomes(parameter.name, min);
-  expect(await field.getByRole("alert").count()).toBe(0);
+  await expect.poll(() => field.getByRole("alert").count(), kSoon).toBe(0);
   if (hasSlider) {
     await slider.focus();
     await slider.press("End");
@@ -171,7 +171,7 @@ async function checkLabels(parameter: ParameterJson): Promise<void> {
   await group.getByText("Seen now", { exact: true }).waitFor(); // what is seen has its place then
   const box = group.getByRole("checkbox", { name: "Cube", exact: true });
   const before = ((await onServer(parameter.name))?.value ?? []) as readonly string[];
-  expect(await group.getByRole("checkbox", { checked: true }).count()).toBe(before.length);
+  await expect.poll(() => group.getByRole("checkbox", { checked: true }).count(), kSoon).toBe(before.length);
   await box.setChecked(!before.includes("Cube"));
   await becomes(parameter.name, before.includes("Cube") ? before.filter((label) => label !== "Cube") : [...before, "Cube"]);
   const now = ((await onServer(parameter.name))?.value ?? []) as readonly string[];
@@ -234,11 +234,11 @@ describe.each(kSkills.map((skill) => [skill.meta.title ?? skill.state, skill] as
     await expect.poll(() => panel().getByLabel("Name", { exact: true }).inputValue(), kSoon).toBe(title);
     await panel().getByText(skill.doc ?? "nothing", { exact: true }).waitFor();
     for (const summary of await panel().locator("summary").all()) await summary.click();
-    expect(await panel().locator("[aria-label=Settings] [data-parameter]").evaluateAll((fields) => fields.map((each) => each.getAttribute("data-parameter")).sort())).toEqual(shown.map(({ name }) => name).sort());
-    expect(await panel().locator("details [data-parameter]").count()).toBe(shown.filter(({ meta }) => meta.advanced === true).length);
+    await expect.poll(() => panel().locator("[aria-label=Settings] [data-parameter]").evaluateAll((fields) => fields.map((each) => each.getAttribute("data-parameter")).sort()), kSoon).toEqual(shown.map(({ name }) => name).sort());
+    await expect.poll(() => panel().locator("details [data-parameter]").count(), kSoon).toBe(shown.filter(({ meta }) => meta.advanced === true).length);
     for (const parameter of shown) expect(await fieldOf(parameter).locator(".doc").first().innerText(), parameter.name).toBe(parameter.doc?.replaceAll("`", ""));
     const errors = (skill.ports ?? []).filter(({ meta }) => meta?.advice !== undefined);
-    expect(await panel().locator(".errors li").allInnerTexts()).toEqual(errors.map(({ meta }) => `${meta?.title}. ${meta?.advice}`));
+    await expect.poll(() => panel().locator(".errors li").allInnerTexts(), kSoon).toEqual(errors.map(({ meta }) => `${meta?.title}. ${meta?.advice}`));
   });
 
   if (shown.length > 0)

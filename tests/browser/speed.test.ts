@@ -1,8 +1,10 @@
 // The speed of the robot outlives who has set it: each page says that it is not the whole, and what to do where the robot stands for that.
-import { devices, type Page } from "playwright-core";
+import { devices, type Locator, type Page } from "playwright-core";
 import { watchArm, type Arm } from "./arm";
 import { findings } from "./axe";
+import { tap } from "./fingers";
 import { openFixture, type Fixture } from "./fixture";
+import { holding } from "./prepare";
 
 let fixture: Fixture;
 let arm: Arm;
@@ -41,62 +43,72 @@ const everywhere = async (text: RegExp) => {
 const nowhere = async () => {
   for (const page of [phone, one, pro]) await sign(page).waitFor({ state: "detached" });
 };
+/** Does it with the controls, which are given back then. */
+async function withControls(of: Page, press: (on: Locator) => Promise<unknown>, act: () => Promise<unknown>): Promise<void> {
+  const mark = of.getByText("You have the controls", { exact: true });
+  const take = async () => {
+    if (await mark.isVisible()) return;
+    await press(of.getByRole("button", { name: "Take the controls" }));
+    await mark.waitFor();
+  };
+  await holding(take, mark, act);
+  await holding(take, mark, () => press(of.getByRole("button", { name: "Give back" })));
+  await of.getByText("Nobody has the controls").waitFor();
+}
+const kPress = { timeout: 5000 };
+const click = (on: Locator) => on.click(kPress);
 const overflow = (of: Page) => of.evaluate(() => document.documentElement.scrollWidth - innerWidth);
 
 describe("the speed of the robot", () => {
   it("is not said while it is the whole", async () => {
-    await phone.getByRole("button", { name: "Start toAndFro" }).tap();
+    await tap(phone.getByRole("button", { name: "Start toAndFro" }));
     await moves(true);
     await nowhere();
   });
 
   it("can be set where runs are, also while it is the whole", async () => {
-    for (const page of [phone, one]) expect(await slider(page).inputValue()).toBe("1");
+    for (const page of [phone, one]) await expect.poll(() => slider(page).inputValue(), kSoon).toBe("1");
     await pro.goto(`${fixture.url}/pro/?below=manual`);
     await slider(pro).waitFor();
-    expect(await slider(pro).inputValue()).toBe("1");
+    await expect.poll(() => slider(pro).inputValue(), kSoon).toBe("1");
     await pro.goto(`${fixture.url}/pro/`);
   });
 
   it("is said on all pages when it is less, also when who has set it has given the controls back", async () => {
-    await phone.getByRole("button", { name: "Take the controls" }).tap();
-    await phone.getByText("You have the controls").waitFor();
-    await slider(phone).fill("0.2");
-    await everywhere(/^Speed: 20 % The robot goes slower than its tasks say/);
-    await phone.getByRole("button", { name: "Give back" }).tap();
-    await phone.getByText("Nobody has the controls").waitFor();
+    await withControls(phone, tap, async () => {
+      await slider(phone).fill("0.2", kPress);
+      await everywhere(/^Speed: 20 % The robot goes slower than its tasks say/);
+    });
     await phone.reload();
     await one.reload();
     await everywhere(/^Speed: 20 %/);
     await fixture.screenshot("speed-one", one);
     await fixture.screenshot("speed-phone", phone);
-    expect([await overflow(phone), await overflow(one), await overflow(pro)]).toEqual([0, 0, 0]);
+    await expect.poll(async () => [await overflow(phone), await overflow(one), await overflow(pro)], kSoon).toEqual([0, 0, 0]);
   });
 
   it("is said unmistakably when the robot stands for it, and what to do", async () => {
-    await phone.getByRole("button", { name: "Take the controls" }).tap();
-    await phone.getByText("You have the controls").waitFor();
-    await slider(phone).fill("0");
-    await moves(false);
+    await withControls(phone, tap, async () => {
+      await slider(phone).fill("0", kPress);
+      await moves(false);
+    });
     await everywhere(/^Speed: 0 % The robot stands still, and a task that moves it waits\. Set a higher speed (here|under Run), and it goes on\.$/);
-    expect(await sign(one).getAttribute("role")).toBe("alert");
+    await expect.poll(() => sign(one).getAttribute("role"), kSoon).toBe("alert");
     await fixture.screenshot("speed-zero-one", one);
     await fixture.screenshot("speed-zero-phone", phone);
     await fixture.screenshot("speed-zero-pro", pro);
     expect([await findings(one), await findings(pro)]).toEqual([[], []]);
     await one.getByText(/^To change it: /).waitFor();
-    await phone.getByRole("button", { name: "Give back" }).tap();
   });
 
   it("is set where it is said, by who has the controls; then the run goes on", async () => {
-    await one.getByRole("button", { name: "Take the controls" }).click();
-    await one.getByText("You have the controls").waitFor();
-    await slider(one).fill("0.5");
-    await moves(true);
-    await everywhere(/^Speed: 50 %/);
-    await slider(one).fill("1");
-    await nowhere();
-    await one.getByRole("button", { name: "Give back" }).click();
+    await withControls(one, click, async () => {
+      await slider(one).fill("0.5", kPress);
+      await moves(true);
+      await everywhere(/^Speed: 50 %/);
+      await slider(one).fill("1", kPress);
+      await nowhere();
+    });
   });
 
   it("is asked for a few times in all", async () => {

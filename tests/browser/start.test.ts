@@ -48,7 +48,7 @@ describe("the page without a run", () => {
     await fixture.screenshot("pairing");
     await dialog.getByLabel("Name of the display").fill("all");
     await dialog.getByRole("alert").waitFor();
-    expect(await dialog.getByRole("link").count()).toBe(0);
+    await expect.poll(() => dialog.getByRole("link").count(), kSoon).toBe(0);
     await page.keyboard.press("Escape");
     await dialog.waitFor({ state: "detached" });
     await page.getByRole("tab", { name: "Services" }).click();
@@ -63,7 +63,7 @@ describe("the page without a run", () => {
     await card("waiting").getByRole("button", { name: "Start" }).click();
     await expect.poll(() => page.getByRole("status", { name: "Run status" }).innerText(), kSoon).toContain("Running");
     await settled(page);
-    expect(await page.getByRole("region", { name: "Start" }).count()).toBe(0);
+    await expect.poll(() => page.getByRole("region", { name: "Start" }).count(), kSoon).toBe(0);
     const id = await watched().inputValue();
     await fixture.send("POST", `/cores/${id}/stop`);
     await page.goto("about:blank"); // it may still ask for steps of the core

@@ -3,6 +3,7 @@ import { execFileSync } from "node:child_process";
 import { devices, type Page } from "playwright-core";
 import { watchArm, type Arm } from "./arm";
 import { findings } from "./axe";
+import { tap } from "./fingers";
 import { binary, openFixture, openPrepared, settled, type Fixture } from "./fixture";
 
 const kSoon = { timeout: 20_000 };
@@ -80,8 +81,8 @@ describe("a server without accounts", () => {
     await start();
     for (const [width, height] of [[1366, 768], [2560, 1440]] as const) {
       await page.setViewportSize({ width, height });
-      expect((await stopButton(page).boundingBox())?.height).toBeGreaterThanOrEqual(44);
-      expect(await inOneRow(page)).toBe(true);
+      await expect.poll(async () => (await stopButton(page).boundingBox())?.height, kSoon).toBeGreaterThanOrEqual(44);
+      await expect.poll(() => inOneRow(page), kSoon).toBe(true);
       await fixture.screenshot(`stop-${width}`);
     }
     await page.setViewportSize({ width: 1366, height: 768 });
@@ -101,7 +102,7 @@ describe("a server without accounts", () => {
     await stopButton(page).click();
     await stands(id);
     for (const each of [page, second]) {
-      expect(await banner(each).innerText()).toMatch(/STOPPED by somebody at 127\.0\.0\.1 at \d\d:\d\d:\d\d\s+All runs have ended\. Nothing moves until the reset, and the reset starts nothing\./);
+      await expect.poll(() => banner(each).innerText(), kSoon).toMatch(/STOPPED by somebody at 127\.0\.0\.1 at \d\d:\d\d:\d\d\s+All runs have ended\. Nothing moves until the reset, and the reset starts nothing\./);
     }
     expect(await findings(page)).toEqual([]);
     await fixture.screenshot("stopped-1366");
@@ -178,14 +179,13 @@ describe("a server without accounts", () => {
     const bar = page.getByRole("toolbar", { name: "Run" });
     for (const name of ["Start", "Micro step", "Macro step"]) {
       const button = bar.getByRole("button", { name, exact: true });
-      await expect.poll(() => button.isDisabled(), kSoon).toBe(true);
-      expect(await button.getAttribute("title")).toContain("the cell is stopped");
+      await expect.poll(async () => [await button.isDisabled(), await button.getAttribute("title")], kSoon).toEqual([true, expect.stringContaining("the cell is stopped")]);
     }
     await page.keyboard.press("F5");
     await page.getByText("Not done: the cell is stopped.").waitFor();
     await banner(page).getByRole("button", { name: "Reset…" }).click();
     expect(await resetDialog(page).innerText()).toContain("Is nobody in the reach of the robot? The reset moves nothing.");
-    expect(await page.evaluate(() => document.activeElement?.textContent), "what is safe has the focus").toBe("Keep it stopped");
+    await expect.poll(() => page.evaluate(() => document.activeElement?.textContent), { ...kSoon, message: "what is safe has the focus" }).toBe("Keep it stopped");
     expect(await findings(page)).toEqual([]);
     await fixture.screenshot("stop-reset");
     await page.keyboard.press("Enter");
@@ -195,7 +195,7 @@ describe("a server without accounts", () => {
     await resetDialog(page).getByRole("button", { name: "Nobody is there: reset" }).click();
     await banner(page).waitFor({ state: "detached" });
     expect([(await control()).stopped, await statusOf(id), arm.moves()]).toEqual([null, "ready", false]);
-    expect(await bar.getByRole("button", { name: "Start" }).isEnabled()).toBe(true);
+    await expect.poll(() => bar.getByRole("button", { name: "Start" }).isEnabled(), kSoon).toBe(true);
   });
 
   it("is stopped again from within the question of the reset", async () => {
@@ -213,7 +213,7 @@ describe("a server without accounts", () => {
   it("tells which run has the robot, and what became of another one that wanted it", async () => {
     const first = await start();
     const reserved = page.getByRole("list", { name: "Reserved services" });
-    expect(await reserved.first().innerText()).toBe("robot is reserved by this run");
+    await expect.poll(() => reserved.first().innerText(), kSoon).toBe("robot is reserved by this run");
     const second = await make("moving");
     await fixture.send("POST", `/cores/${second}/start`);
     await expect.poll(() => statusOf(second), kSoon).toBe("ended");
@@ -221,7 +221,7 @@ describe("a server without accounts", () => {
     await settled(page);
     const properties = page.getByRole("complementary", { name: "Properties" });
     await expect.poll(() => properties.innerText(), kSoon).toContain(`robot.move was refused: run ${first} has robot until it is over. Only one run at a time moves a service`);
-    expect(await properties.innerText()).toContain(`robot is reserved by run ${first}`);
+    await expect.poll(() => properties.innerText(), kSoon).toContain(`robot is reserved by run ${first}`);
     await fixture.screenshot("stop-leased");
     await page.getByRole("tab", { name: "Cell" }).click();
     await page.getByRole("region", { name: "Cell" }).getByRole("list", { name: "Reserved services" }).waitFor();
@@ -242,13 +242,13 @@ describe("a server without accounts", () => {
     for (const socket of open) await socket.close();
     await cut.getByText("Connection lost", { exact: true }).waitFor();
     expect(await stopButton(cut).isVisible()).toBe(true);
-    expect(await inOneRow(cut)).toBe(true);
+    await expect.poll(() => inOneRow(cut), kSoon).toBe(true);
     await fixture.screenshot("stop-lost", cut);
     await stopButton(cut).click();
     await stands(id);
     await banner(cut).waitFor();
     await fixture.screenshot("stopped-lost", cut);
-    expect(await banner(cut).getByRole("button", { name: "Reset…" }).isDisabled()).toBe(true);
+    await expect.poll(() => banner(cut).getByRole("button", { name: "Reset…" }).isDisabled(), kSoon).toBe(true);
     await cut.context().close();
   });
 
@@ -266,7 +266,7 @@ describe("a server without accounts", () => {
     await stands(id);
     await banner(page).waitFor();
     expect(tries).toBeGreaterThan(0);
-    expect(await warning(page).isVisible()).toBe(false);
+    await expect.poll(() => warning(page).isVisible(), kSoon).toBe(false);
     await page.unroute(gone);
   });
 
@@ -305,9 +305,9 @@ describe("a server without accounts", () => {
     await fixture.screenshot("stop-phone", phone);
     await phone.evaluate(() => scrollTo(0, document.documentElement.scrollHeight));
     await fixture.screenshot("stop-phone-end", phone);
-    const end = await phone.locator(".app").evaluate((app) => Math.max(...[...app.children].map((child) => child.getBoundingClientRect().bottom)));
+    const end = () => phone.locator(".app").evaluate((app) => Math.max(...[...app.children].map((child) => child.getBoundingClientRect().bottom)));
     // Texts end within a pixel.
-    expect(end).toBeLessThanOrEqual(((await phone.locator("#stop-layer").boundingBox())?.y ?? 0) + 0.5);
+    await expect.poll(async () => (await end()) - ((await phone.locator("#stop-layer").boundingBox())?.y ?? 0), kSoon).toBeLessThanOrEqual(0.5);
     await stopButton(phone).tap();
     await stands(id);
     await banner(phone).waitFor();
@@ -332,14 +332,17 @@ describe("a server without accounts", () => {
       await stopButton(other).waitFor();
       const frame = other.locator(".app, .one, #root:has(.display)").first();
       await frame.waitFor();
-      const { begins, left, isBelow } = await other.evaluate(() => {
+      const measured = () => other.evaluate(() => {
         const layer = document.querySelector("#stop-layer")?.getBoundingClientRect() ?? new DOMRect();
         const found = document.querySelector(".app, .one, #root:has(.display)");
         return { begins: innerHeight - layer.top, left: found === null ? Number.NaN : parseFloat(getComputedStyle(found).paddingBottom), isBelow: layer.bottom >= innerHeight };
       });
-      expect(isBelow, path).toBe(width <= 760);
       // Elsewhere it lies in the row above, and takes nothing.
-      expect(left, path).toBe(isBelow ? begins : 0);
+      const differs = async () => {
+        const { begins, left, isBelow } = await measured();
+        return { isBelow, by: left - (isBelow ? begins : 0) };
+      };
+      await expect.poll(differs, { ...kSoon, message: path }).toEqual({ isBelow: width <= 760, by: 0 });
       await other.context().close();
     }
   });
@@ -357,9 +360,9 @@ describe("a server without accounts", () => {
     await banner(phone).waitFor();
     expect(await findings(phone)).toEqual([]);
     await fixture.screenshot("stopped-display", phone);
-    await banner(phone).getByRole("button", { name: "Reset…" }).tap();
+    await tap(banner(phone).getByRole("button", { name: "Reset…" }));
     await fixture.screenshot("stop-display-reset", phone);
-    await resetDialog(phone).getByRole("button", { name: "Nobody is there: reset" }).tap();
+    await tap(resetDialog(phone).getByRole("button", { name: "Nobody is there: reset" }));
     await banner(phone).waitFor({ state: "detached" });
     expect((await control()).stopped).toBeNull();
     await phone.setViewportSize({ width: 1366, height: 768 });
@@ -413,15 +416,15 @@ describe("a server with accounts", () => {
     await logIn(observer, "olga");
     const button = banner(observer).getByRole("button", { name: "Reset…" });
     await button.waitFor();
-    expect([await button.isDisabled(), await button.getAttribute("title")]).toEqual([true, "this needs the role operator, and your account has the role observer"]);
-    expect(await banner(observer).innerText()).toContain("Reset: this needs the role operator");
+    await expect.poll(async () => [await button.isDisabled(), await button.getAttribute("title")], kSoon).toEqual([true, "this needs the role operator, and your account has the role observer"]);
+    await expect.poll(() => banner(observer).innerText(), kSoon).toContain("Reset: this needs the role operator");
     await fixture.screenshot("stopped-observer", observer);
     await observer.context().close();
 
     await logIn(page, "otto");
     await page.getByRole("combobox", { name: "Document" }).selectOption("demonstrator");
     await page.getByRole("button", { name: "Arguments…" }).waitFor();
-    expect(await inOneRow(page)).toBe(true);
+    await expect.poll(() => inOneRow(page), kSoon).toBe(true);
     await fixture.screenshot("stopped-operator", page);
     await reset(page);
     await stopButton(page).click();

@@ -74,8 +74,8 @@ describe("a place that is taught again", () => {
     await button("Start").click();
     await button("Teach it again").click();
     await teaching("shelf").waitFor();
-    expect(await status()).toBe("Paused");
-    expect(await button("Try the step again").isDisabled(), "nothing is saved yet").toBe(true);
+    await expect.poll(() => status()).toBe("Paused");
+    await expect.poll(() => button("Try the step again").isDisabled(), { message: "nothing is saved yet" }).toBe(true);
     await prepareToMove(page);
     await button("Do not teach").click();
     await button("Teach it again").click();
@@ -83,7 +83,7 @@ describe("a place that is taught again", () => {
     await fixture.screenshot("one-teach-again", page);
     await button("Try the step again").click();
     await page.getByRole("heading", { name: "All done" }).waitFor();
-    expect(await height()).toBeCloseTo(at, 3);
+    await expect.poll(() => height()).toBeCloseTo(at, 3);
     await page.getByText(/^Move to.*Tried again\.$/).waitFor();
     expect(((await fixture.send("GET", "/control")) as { readonly mode: string }).mode, "as before").toBe("execution");
   });
@@ -99,6 +99,6 @@ describe("a place that is taught again", () => {
     const at = await teach("box");
     await button("Start again").last().click();
     await page.getByRole("heading", { name: "All done" }).waitFor();
-    expect(await height()).toBeCloseTo(at, 3);
+    await expect.poll(() => height()).toBeCloseTo(at, 3);
   });
 });

@@ -27,7 +27,7 @@ describe("the theme", () => {
   it("follows the system at first, and while the page is open", async () => {
     await page.emulateMedia({ colorScheme: "dark" });
     await open();
-    expect(await shown()).toBe("dark");
+    await expect.poll(() => shown()).toBe("dark");
     const frame = () => page.locator("meta[name=theme-color]").getAttribute("content");
     const dark = await frame();
     await page.emulateMedia({ colorScheme: "light" });
@@ -41,11 +41,11 @@ describe("the theme", () => {
     await button().and(page.getByRole("button", { name: "Theme: light" })).waitFor();
     await page.keyboard.press("Enter");
     await page.getByRole("button", { name: "Theme: dark" }).waitFor();
-    expect(await shown()).toBe("dark");
+    await expect.poll(() => shown()).toBe("dark");
     await page.reload();
     await page.getByText("Connected").waitFor();
-    expect(await shown()).toBe("dark");
-    expect(await button().getAttribute("aria-label")).toBe("Theme: dark");
+    await expect.poll(() => shown()).toBe("dark");
+    await expect.poll(() => button().getAttribute("aria-label")).toBe("Theme: dark");
   });
 
   it("is set before the body of the page exists, so that no other theme flashes", async () => {
@@ -63,10 +63,10 @@ describe("the theme", () => {
   it("is left to the system again by the same button", async () => {
     await button().click();
     await page.getByRole("button", { name: "Theme: system" }).waitFor();
-    expect(await shown()).toBe("light");
+    await expect.poll(() => shown()).toBe("light");
     await page.reload();
     await page.getByText("Connected").waitFor();
-    expect(await shown()).toBe("light");
+    await expect.poll(() => shown()).toBe("light");
   });
 });
 

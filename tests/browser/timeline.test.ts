@@ -51,7 +51,7 @@ describe("the time line", () => {
     await page.goto(`${fixture.url}/pro/?run=${id}`);
     await settled(page);
     await page.getByRole("tab", { name: "Time line" }).click();
-    await page.getByRole("heading", { name: /^Macro steps 1 to \d+$/ }).waitFor({ timeout: 8000 });
+    await page.getByRole("heading", { name: /^Macro steps 1 to \d+$/ }).waitFor();
     await fixture.send("POST", `/cores/${id}/stop`);
     await page.unrouteAll({ behavior: "wait" });
   });
@@ -64,10 +64,11 @@ describe("the time line", () => {
     await page.getByRole("tab", { name: "Time line" }).click();
     const states = page.getByRole("list", { name: "States over time" });
     await soon(() => states.getByRole("button").allInnerTexts()).toEqual(["Root", "Wait"]);
-    expect(await states.getByRole("img").nth(1).getAttribute("aria-label")).toMatch(/^Root\/Wait: active from step 1 to 5 \(0\.\d{3} s\)/);
+    await soon(() => states.getByRole("img").nth(1).getAttribute("aria-label")).toMatch(/^Root\/Wait: active from step 1 to 5 \(\d+\.\d+ s\)/);
     const calls = page.getByRole("list", { name: "Calls over time" });
-    const rows = await calls.getByRole("button").allInnerTexts();
-    expect(rows.map((text) => text.split(/\s+/)[0])).toEqual(Array(4).fill("timer.wait(0.03)"));
+    const shown = () => calls.getByRole("button").allInnerTexts();
+    await soon(async () => (await shown()).map((text) => text.split(/\s+/)[0])).toEqual(Array(4).fill("timer.wait(0.03)"));
+    const rows = await shown();
     for (const seconds of rows.map((text) => Number.parseFloat(text.split(/\s+/)[1] ?? ""))) {
       // The timer counts the time of its group, which on a busy machine catches up with the clock in steps of some milliseconds.
       expect(seconds).toBeGreaterThanOrEqual(0.02);
@@ -94,7 +95,7 @@ describe("the time line", () => {
     await page.getByRole("tab", { name: "Time line" }).click();
     const services = page.getByRole("list", { name: "States of services over time" });
     await soon(() => services.getByRole("button").allInnerTexts()).toEqual(["db"]);
-    expect(await services.getByRole("img").getAttribute("aria-label")).toMatch(/^db: \w+ for \d/);
+    await soon(() => services.getByRole("img").getAttribute("aria-label")).toMatch(/^db: \w+ for \d/);
     await page.goto(`${fixture.url}/pro/?run=${long}`);
     await settled(page);
     await page.getByRole("tab", { name: "Time line" }).click();
@@ -102,11 +103,11 @@ describe("the time line", () => {
 
   it("counts seconds or macro steps, as the address says", async () => {
     const axis = page.getByRole("combobox", { name: "Axis" });
-    expect(await axis.inputValue()).toBe("seconds");
+    await soon(() => axis.inputValue()).toBe("seconds");
     await axis.selectOption("macro steps");
     await page.getByRole("list", { name: "States over macro steps" }).waitFor();
-    expect(await page.getByRole("list", { name: "States of services over time" }).getByRole("img").first().getAttribute("aria-label")).toMatch(/: \w+ for \d/);
-    expect(new URL(page.url()).searchParams.get("axis")).toBe("steps");
+    await soon(() => page.getByRole("list", { name: "States of services over time" }).getByRole("img").first().getAttribute("aria-label")).toMatch(/: \w+ for \d/);
+    await soon(() => new URL(page.url()).searchParams.get("axis")).toBe("steps");
     await page.reload();
     await settled(page);
     await page.getByRole("img", { name: "Root.res.n over macro steps" }).waitFor();
@@ -158,7 +159,7 @@ describe("the time line", () => {
     await fixture.screenshot("runs-compared");
     await found.getByRole("button", { name: `Show in run ${short}` }).click();
     await soon(moment).toBe("1.0");
-    expect(new URL(page.url()).searchParams.get("run")).toBe(short);
+    await soon(() => new URL(page.url()).searchParams.get("run")).toBe(short);
     await page.getByRole("article", { name: "Micro step 1" }).waitFor();
   });
 });

@@ -28,8 +28,8 @@ it("the bar above has two rows on a phone, in both themes, and all that is in it
   await page.goto(`${url}/pro/?edit=demonstrator`);
   await settled(page);
   const bar = page.locator(".topbar");
-  expect((await bar.boundingBox())?.height ?? 999).toBeLessThan(90);
-  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
+  await expect.poll(async () => (await bar.boundingBox())?.height ?? 999).toBeLessThan(90);
+  await expect.poll(() => page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
   const parts = await bar.locator("button, select").all();
   expect(parts.length).toBeGreaterThan(12);
   for (const part of parts) expect(await isFree(part), await part.innerText()).toBe(true);

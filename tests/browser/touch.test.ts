@@ -1,5 +1,6 @@
 // The cell under fingers, on a phone: a long press opens a part's menu, a drag pulls, and all parts are in a list. On the real server.
 import { devices, type CDPSession, type Page } from "playwright-core";
+import { tap } from "./fingers";
 import { find, view, type Place, type Region } from "./pointer";
 import { openFixture, type Fixture } from "./fixture";
 
@@ -13,9 +14,9 @@ beforeAll(async () => {
   phone = await context.newPage();
   fingers = await context.newCDPSession(phone);
   await phone.goto(`${fixture.url}/pro/`);
-  await phone.getByRole("tab", { name: "Cell" }).tap();
+  await tap(phone.getByRole("tab", { name: "Cell" }));
   await view(phone).waitFor({ timeout: 45_000 });
-  await button("Pull").tap();
+  await tap(button("Pull"));
 });
 afterAll(() => fixture.close());
 
@@ -61,9 +62,9 @@ describe("the cell under fingers", () => {
     await touch("touchEnd");
     expect(await menu().count()).toBe(1);
     const part = (await menu().innerText()).replace("Take away ", "");
-    await menu().tap();
+    await tap(menu());
     await expect.poll(async () => (await person()).absent, kSoon).toEqual([part]);
-    await button(`Put back ${part}`).tap();
+    await tap(button(`Put back ${part}`));
     await expect.poll(async () => (await person()).absent, kSoon).toEqual([]);
   });
 
@@ -81,12 +82,12 @@ describe("the cell under fingers", () => {
   });
 
   it("lists all parts, to take away and put back, for fingers and for keys", async () => {
-    await button("Parts").tap();
+    await tap(button("Parts"));
     const list = phone.getByRole("list", { name: "Parts" });
     const names = await parts();
-    expect(await list.locator("span").allInnerTexts()).toEqual(names);
+    await expect.poll(() => list.locator("span").allInnerTexts(), kSoon).toEqual(names);
     const [first] = names;
-    await button(`Take away ${first}`).tap();
+    await tap(button(`Take away ${first}`));
     await expect.poll(async () => (await person()).absent, kSoon).toEqual([first]);
     await button(`Put back ${first}`).waitFor();
     await fixture.screenshot("touch-parts", phone);
@@ -97,7 +98,7 @@ describe("the cell under fingers", () => {
       const tool = await button(name).boundingBox();
       expect((tool?.y ?? Infinity) + (tool?.height ?? 0), name).toBeLessThanOrEqual(box?.y ?? 0);
     }
-    expect(await phone.getByText(/^Drag the arm/).count()).toBe(0);
+    await expect.poll(() => phone.getByText(/^Drag the arm/).count(), kSoon).toBe(0);
     await button(`Put back ${first}`).focus();
     await phone.keyboard.press("Enter");
     await expect.poll(async () => (await person()).absent, kSoon).toEqual([]);

@@ -81,11 +81,11 @@ describe.skipIf(host === undefined)("a server that a network reaches", () => {
     const answer = await fetch(`${fixture.url}/api/v1/authority`);
     const fingerprint = answer.headers.get("x-fingerprint-sha256") ?? "";
     expect(fingerprint).toMatch(/^(?:[0-9A-F]{2}:){31}[0-9A-F]{2}$/);
-    expect((await shown.innerText()).trim().split(/\s+/).join(":")).toBe(fingerprint);
-    expect(await openSections(page)).toEqual(["Android"]);
+    await expect.poll(async () => (await shown.innerText()).trim().split(/\s+/).join(":"), kSoon).toBe(fingerprint);
+    await expect.poll(() => openSections(page), kSoon).toEqual(["Android"]);
     expect(await findings(page)).toEqual([]);
     expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
-    expect(new URL(page.url()).hash).toBe("");
+    await expect.poll(() => new URL(page.url()).hash, kSoon).toBe("");
     await fixture.screenshot("trust-phone", page);
     await page.context().close();
   });
@@ -140,8 +140,8 @@ describe.skipIf(host === undefined)("a server that a network reaches", () => {
     await page.getByLabel("Fingerprint, SHA-256").waitFor();
     for (const width of [761, 800, 960, 1000, 1001, 1100, 1366]) {
       await page.setViewportSize({ width, height: 768 });
-      const right = await page.locator("main > div, main > header").evaluateAll((parts) => Math.max(...parts.map((part) => part.getBoundingClientRect().right)));
-      expect(right, String(width)).toBeLessThanOrEqual((await stopButton(page).boundingBox())?.x ?? 0);
+      const right = () => page.locator("main > div, main > header").evaluateAll((parts) => Math.max(...parts.map((part) => part.getBoundingClientRect().right)));
+      await expect.poll(async () => (await right()) - ((await stopButton(page).boundingBox())?.x ?? 0), { ...kSoon, message: String(width) }).toBeLessThanOrEqual(0);
     }
     await page.keyboard.press("F3");
     await expect.poll(stopped, kSoon).toBe(true);
@@ -179,7 +179,7 @@ describe.skipIf(host === undefined)("a server that a network reaches", () => {
     await page.keyboard.press("Enter");
     await expect.poll(() => openSections(page), kSoon).toEqual(["macOS"]);
     await expect.poll(() => new URL(page.url()).hash, kSoon).toBe("#macos");
-    expect(await section(page, "macOS").getByText("Always Trust").isVisible()).toBe(true);
+    await expect.poll(() => section(page, "macOS").getByText("Always Trust").isVisible(), kSoon).toBe(true);
     await page.reload();
     await expect.poll(() => openSections(page), kSoon).toEqual(["macOS"]);
     await page.context().close();
@@ -224,7 +224,7 @@ describe.skipIf(host === undefined)("a server that a network reaches", () => {
     await page.getByRole("button", { name: "Show the code" }).click();
     const dialog = page.getByRole("dialog", { name: "Pair a phone" });
     await dialog.getByText("Details", { exact: true }).click();
-    expect(await dialog.getByRole("link", { name: `${lan}/trust/` }).isVisible()).toBe(true);
+    await expect.poll(() => dialog.getByRole("link", { name: `${lan}/trust/` }).isVisible(), kSoon).toBe(true);
     await dialog.getByRole("img", { name: `QR code of ${lan}/display/?name=phone1` }).waitFor();
     expect(await findings(page)).toEqual([]);
     await fixture.screenshot("trust-pairing", page);

@@ -46,12 +46,12 @@ describe("the history of a document", () => {
     await openTask("listed");
     await fixture.page.keyboard.press("Control+Shift+H");
     await row("2 to 3").waitFor();
-    expect(await row("2 to 3").innerText()).toMatch(/2 edits[\s\S]*Bob, just now/);
-    expect(await row("1").innerText()).toContain("stored as a whole");
-    expect(query("versions")).toBe("list");
+    await soon(() => row("2 to 3").innerText()).toMatch(/2 edits[\s\S]*Bob, just now/);
+    await soon(() => row("1").innerText()).toContain("stored as a whole");
+    await soon(() => query("versions")).toBe("list");
     await fixture.send("POST", "/documents/listed/edits", { request: "u-1", revision: 3, author: "Bob~q1", undo: true });
     await row("2 to 4").waitFor();
-    expect(await row("2 to 4").innerText()).toContain("3 edits, 1 of them undo");
+    await soon(() => row("2 to 4").innerText()).toContain("3 edits, 1 of them undo");
   });
 
   it("says what has changed since a revision, as text and in the drawing", async () => {
@@ -64,11 +64,12 @@ describe("the history of a document", () => {
     const ghost = fixture.page.getByRole("img", { name: "Removed: state B" });
     await ghost.waitFor();
     expect(await ghost.locator("s").innerText()).toBe("B");
-    const [inner, outer] = [await ghost.boundingBox(), await editPage(fixture).node("Root").boundingBox()];
-    expect((inner?.width ?? 0) * (inner?.height ?? 0)).toBeGreaterThan(400);
-    expect(inner !== null && outer !== null && inner.x > outer.x && inner.y > outer.y && inner.y < outer.y + outer.height + 200).toBe(true);
-    expect(await row("1").getAttribute("aria-pressed")).toBe("true");
-    expect(query("versions")).toBe("1..");
+    await soon(async () => {
+      const [inner, outer] = [await ghost.boundingBox(), await editPage(fixture).node("Root").boundingBox()];
+      return inner !== null && outer !== null && inner.width * inner.height > 400 && inner.x > outer.x && inner.y > outer.y && inner.y < outer.y + outer.height + 200;
+    }).toBe(true);
+    await soon(() => row("1").getAttribute("aria-pressed")).toBe("true");
+    await soon(() => query("versions")).toBe("1..");
     await fixture.screenshot("versions-light");
     expect(await findings(fixture.page)).toEqual([]);
   });
@@ -81,12 +82,12 @@ describe("the history of a document", () => {
     await row("2").click();
     await panel().getByRole("radio", { name: "by it" }).check();
     await soon(words).toEqual(["≠ changed state Root/C doc: 'waits'"]);
-    expect(query("versions")).toBe("1..2");
+    await soon(() => query("versions")).toBe("1..2");
     await panel().getByRole("radio", { name: "by 2 to 4" }).check();
     await soon(words).toEqual(["− removed state Root/B", "− removed state Root/C"]);
     await fixture.page.reload();
     await soon(words).toEqual(["− removed state Root/B", "− removed state Root/C"]);
-    expect(query("versions")).toBe("1..4");
+    await soon(() => query("versions")).toBe("1..4");
   });
 
   it("leads from a change to its element, and to what is around one that is gone", async () => {
@@ -108,7 +109,7 @@ describe("the history of a document", () => {
     expect(await editPage(fixture).children("restored")).toEqual(["A", "B", "C", "Both"]);
     await soon(() => panel().getByText("Nothing differs.").count()).toBe(1);
     await row("4").waitFor();
-    expect(await row("4").innerText()).toContain("revision 1 restored");
+    await soon(() => row("4").innerText()).toContain("revision 1 restored");
     await row("2 to 3").click();
     await soon(words).toEqual(["+ added state Root/B", "≠ changed state Root/C doc: no longer 'waits'"]);
   });
@@ -141,6 +142,6 @@ describe("the history of a document", () => {
     await soon(() => query("versions")).toBe("129..");
     await fixture.page.keyboard.press("Escape");
     await soon(() => panel().count()).toBe(0);
-    expect(query("versions")).toBe(null);
+    await soon(() => query("versions")).toBe(null);
   });
 });

@@ -49,19 +49,19 @@ describe("waiting", () => {
     await fixture.page.goto(`${fixture.url}/pro/`);
     await bar().waitFor();
     await expect.poll(() => bar().getAttribute("aria-label"), kSoon).toBe("Barrier Root/Join, waits for Root/B.done");
-    expect(await fixture.page.locator(".barrier-note").allInnerTexts()).toEqual(["1/2"]);
+    await expect.poll(() => fixture.page.locator(".barrier-note").allInnerTexts(), kSoon).toEqual(["1/2"]);
     await settled(fixture.page);
     await bar().click();
     const list = fixture.page.getByRole("region", { name: "Waits for" });
-    expect(await list.getByRole("heading").innerText()).toBe("1 of 2 inbound ports have arrived");
-    expect((await list.getByRole("listitem").allInnerTexts()).map((text) => text.split(/\s+/))).toEqual([["Root/A.done", "arrived"], ["Root/B.done", "waits"]]);
+    await expect.poll(() => list.getByRole("heading").innerText(), kSoon).toBe("1 of 2 inbound ports have arrived");
+    await expect.poll(async () => (await list.getByRole("listitem").allInnerTexts()).map((text) => text.split(/\s+/)), kSoon).toEqual([["Root/A.done", "arrived"], ["Root/B.done", "waits"]]);
     await fixture.screenshot("waiting-barrier");
   });
 
   it("is shown at the service: the pending call and its run", async () => {
     await fixture.page.getByRole("tab", { name: /Services/ }).click();
     await expect.poll(() => pending().innerText(), kSoon).toMatch(/start\s*call \d+ of run 1 · since \d+\.\d\d s/);
-    expect(await pending().getByRole("listitem").count()).toBe(1);
+    await expect.poll(() => pending().getByRole("listitem").count(), kSoon).toBe(1);
     await pending().scrollIntoViewIfNeeded();
     await fixture.screenshot("waiting-pending");
     await fixture.page.getByRole("tab", { name: "Task" }).click();
@@ -80,15 +80,15 @@ describe("waiting", () => {
     await fixture.page.getByRole("tab", { name: "Task" }).click();
     await fixture.page.getByRole("combobox", { name: "Watched run" }).selectOption("1");
     await expect.poll(() => fixture.page.locator('.canvas [data-path="Root/End"]').getAttribute("data-active"), kSoon).toBe("true");
-    expect(await bar().getAttribute("aria-label")).toBe("Barrier Root/Join, 2 inbound ports");
-    expect(await fixture.page.locator(".barrier-note").count()).toBe(0);
+    await expect.poll(() => bar().getAttribute("aria-label"), kSoon).toBe("Barrier Root/Join, 2 inbound ports");
+    await expect.poll(() => fixture.page.locator(".barrier-note").count(), kSoon).toBe(0);
   });
 
   it("leaves what the tasks printed in the log, which a filter searches", async () => {
     await fixture.page.getByRole("tab", { name: "Log" }).click();
     const line = fixture.page.getByRole("log").locator(".log-line").filter({ hasText: "nobody waits so long" });
     await line.waitFor(kSoon);
-    expect((await line.innerText()).split(/\n+/)).toEqual([expect.stringMatching(/^\d+\.\d{3} s$/), "core/2", "nobody waits so long"]);
+    await expect.poll(async () => (await line.innerText()).split(/\n+/), kSoon).toEqual([expect.stringMatching(/^\d+\.\d{3} s$/), "core/2", "nobody waits so long"]);
     const filter = fixture.page.getByRole("searchbox", { name: "Filter the log" });
     await filter.fill("CORE/2");
     await expect.poll(() => line.count()).toBe(1);
@@ -109,17 +109,17 @@ describe("waiting", () => {
     await fixture.page.goto(`${fixture.url}/pro/?run=${id}`);
     const panel = fixture.page.getByRole("status", { name: "Waiting edit" });
     await expect.poll(() => panel.getByRole("button").count(), kSoon).toBe(names.length);
-    expect(await panel.getByRole("listitem").first().innerText()).toBe("Root/Step0 is active, and the edit removes it");
-    expect((await panel.boundingBox())?.height).toBeLessThan(200);
+    await expect.poll(() => panel.getByRole("listitem").first().innerText(), kSoon).toBe("Root/Step0 is active, and the edit removes it");
+    await expect.poll(async () => (await panel.boundingBox())?.height, kSoon).toBeLessThan(200);
     await fixture.screenshot("waiting-edit");
 
     await fixture.page.setViewportSize({ width: 1280, height: 800 });
     await post("/documents/edited?draft=true", task(...steps("Nowhere"), { state: "New", ports: [{ ...never, to: "Nowhere" }] }), "PUT");
     await expect.poll(() => panel.innerText(), kSoon).toContain(`has ${names.length + 1} errors and cannot be executed`);
-    expect([await panel.getByRole("listitem").count(), await panel.getByRole("button").count()]).toEqual([names.length + 1, names.length]);
+    await expect.poll(async () => [await panel.getByRole("listitem").count(), await panel.getByRole("button").count()], kSoon).toEqual([names.length + 1, names.length]);
     await fixture.page.reload();
     await expect.poll(() => panel.getByRole("button").count(), kSoon).toBe(names.length);
-    expect(await panel.innerText(), "also on a page that is opened later").toContain("cannot be executed");
+    await expect.poll(() => panel.innerText(), { ...kSoon, message: "also on a page that is opened later" }).toContain("cannot be executed");
     await panel.getByRole("button").first().click();
     await fixture.page.locator(".port.is-selected").waitFor(kSoon);
     await fixture.screenshot("waiting-edit-refused");
@@ -132,7 +132,7 @@ describe("waiting", () => {
     await page.goto(`${fixture.url}/pro/?run=${id}`);
     const held = page.getByRole("region", { name: "Inputs waiting" });
     await held.getByText(/response timer\.wait/).waitFor(kSoon);
-    expect((await held.getByRole("listitem").allInnerTexts()).map((text) => text.split(/\n+/)[1])).toEqual(["the next step delivers it"]);
+    await expect.poll(async () => (await held.getByRole("listitem").allInnerTexts()).map((text) => text.split(/\n+/)[1]), kSoon).toEqual(["the next step delivers it"]);
     await page.getByText("Paused: the task takes no more inputs; a motion that was called goes on to its end, and the time-outs of open calls run on.").waitFor(kSoon);
     await fixture.screenshot("waiting-held");
     await settled(page);
@@ -164,7 +164,7 @@ describe("waiting", () => {
     await page.goto(`${fixture.url}/pro/?run=${id}`);
     const unseen = page.getByRole("alert", { name: "Waiting for a display" });
     await unseen.getByText("No display is connected: nobody was asked “Is the table empty?”").waitFor(kSoon);
-    expect(await page.getByRole("status", { name: "Run status" }).innerText()).toContain("Waiting for a display");
+    await expect.poll(() => page.getByRole("status", { name: "Run status" }).innerText(), kSoon).toContain("Waiting for a display");
     expect(await unseen.getByRole("link", { name: "Open a display" }).getAttribute("href")).toBe("/display/");
     expect(await findings(page)).toEqual([]);
     await fixture.screenshot("waiting-display");
@@ -172,7 +172,7 @@ describe("waiting", () => {
     const asked = page.getByRole("alert", { name: "Waiting for a person" });
     await asked.getByText("Waiting for a person: Is the table empty?").waitFor(kSoon);
     await page.getByRole("region", { name: "Open calls" }).getByText(/“Is the table empty\?”, called/).waitFor(kSoon);
-    expect(await unseen.count()).toBe(0);
+    await expect.poll(() => unseen.count(), kSoon).toBe(0);
     await asked.getByRole("button", { name: "Yes" }).click();
     await page.getByRole("status", { name: "On the displays" }).getByText("Told on every display: Lead the arm by hand").waitFor(kSoon);
     expect(await findings(page)).toEqual([]);
@@ -212,7 +212,7 @@ describe("waiting", () => {
     await asked.getByRole("button", { name: "Continue" }).click();
     await asked.getByText("How many parts?").waitFor(kSoon);
     await asked.getByRole("textbox", { name: "Number" }).fill("10");
-    expect(await asked.getByRole("button", { name: "Answer" }).isEnabled()).toBe(false);
+    await expect.poll(() => asked.getByRole("button", { name: "Answer" }).isEnabled(), kSoon).toBe(false);
     await asked.getByRole("textbox", { name: "Number" }).fill("3");
     await page.keyboard.press("Enter");
     await asked.waitFor({ state: "detached" });

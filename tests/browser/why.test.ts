@@ -35,7 +35,7 @@ describe("why, of a constant condition", () => {
   it("says that it is always true, and that its state alone is missing", async () => {
     await ask("Root/A.always");
     await told("Why").toMatch(/Cannot fire: its state is not active[^]*The condition is constant: it reads no .* always true/);
-    expect(await page.getByRole("list", { name: "Atoms of the condition" }).getByRole("listitem").allInnerTexts()).toEqual([
+    await expect.poll(() => page.getByRole("list", { name: "Atoms of the condition" }).getByRole("listitem").allInnerTexts()).toEqual([
       expect.stringMatching(/True\s+true\s+a constant: it reads nothing/),
     ]);
     await fixture.screenshot("constant");
