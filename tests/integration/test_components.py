@@ -65,7 +65,7 @@ class ComponentProtocol(unittest.TestCase):
             self.assertEqual(service(server, "db")["violations"], [])
 
     def test_a_process_that_answers_no_ping_is_disconnected(self):
-        with Server("--remote", "database", "--heartbeat", "1") as server:
+        with Server("--remote", "database", "--heartbeat", "2") as server:
             client = self.welcome(server)
             core = server.core(models.calling("db", "list"))
             client.next("call")
@@ -170,7 +170,7 @@ class RemoteDisplays(RemoteDisplayServer, test_displays.Displays):
 class RemoteDisplayFailures(RemoteDisplayServer, test_displays.DisplayCase):
     """What displays show is removed when the process behind it dies or hangs."""
 
-    HEARTBEAT = ("--heartbeat", "1")
+    HEARTBEAT = ("--heartbeat", "2")
 
     def ask(self, display):
         """Starts a core that asks; returns the core and the question."""
@@ -272,7 +272,7 @@ class Processes(unittest.TestCase):
             self.assertEqual(service(server, "db")["violations"], [])
 
     def test_a_hanging_process_is_disconnected_and_reconnects(self):
-        with Server("--remote", "database", "--heartbeat", "1") as server:
+        with Server("--remote", "database", "--heartbeat", "2") as server:
             with ComponentProcess(server, "database") as process:
                 wait_available(server, "db")
                 process.signal(signal.SIGSTOP)

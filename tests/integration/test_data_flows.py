@@ -82,7 +82,7 @@ class DataFlows(unittest.TestCase):
                 self.assertEqual(camera_flow(server)["watchers"], 1)  # the channel, for all its subscribers
                 one.send({"type": "unsubscribe", "channel": CHANNEL})
                 other.message()
-                self.assertGreater(camera_flow(server)["rate_hz"], 0)
+                wait_until(lambda: camera_flow(server)["rate_hz"] > 0)
             wait_idle(server)
 
     def test_a_page_gets_at_most_five_pictures_a_second(self):

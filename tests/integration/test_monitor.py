@@ -18,6 +18,7 @@ class Monitor(unittest.TestCase):
             self.assertEqual(self.rogue(server)["violations"], [])
             core = server.core(models.calling("rogue", "jump"))
             self.assertEqual(server.ended(core)["outcome"], "result")
+            server.wait_for(lambda: len(self.rogue(server)["violations"]) == 2)
             violations = self.rogue(server)["violations"]
             self.assertEqual([v["rule"] for v in violations], ["Trans2", "respond"])
             self.assertEqual((violations[1]["operation"], violations[1]["call"]), ("jump", 2))

@@ -184,6 +184,7 @@ class Ends(Case):
         for thread in threads:
             thread.start()
         time.sleep(0.7)
+        server.wait_for(lambda: len(acknowledged) > 10)
         self.end(server)
         over.set()
         for thread in threads:
