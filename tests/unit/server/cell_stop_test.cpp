@@ -136,11 +136,13 @@ TEST_F(CellStopTest, NoOtherModeBeginsUntilTheLimitIsThatOfTheOneBefore) {
     busy.begun.get_future().wait();
     told = 0;
     std::thread one([&] { EXPECT_TRUE(stops.set_mode(number, first)); });
+    const int at_once = first == Mode::programming ? 0 : 1;
+    while (told < at_once) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     EXPECT_EQ(people.mode(), Mode::execution) << "not before the robots are slow";
     std::thread other([&] { EXPECT_TRUE(stops.set_mode(number, before)); });
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    EXPECT_EQ(told, first == Mode::programming ? 0 : 1);
+    EXPECT_EQ(told, at_once);
     busy.go_on.set_value();
     for (std::thread* each : {&talk, &one, &other}) each->join();
     EXPECT_EQ(people.mode(), before);

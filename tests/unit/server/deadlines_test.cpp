@@ -18,11 +18,11 @@ TEST(Deadlines, DoWorkInTheOrderOfItsTimes) {
   Deadlines deadlines;
   std::promise<void> last;
   std::vector<int> done;  // on its thread, until the last
-  deadlines.after(60ms, [&] {
+  deadlines.after(600ms, [&] {
     done.push_back(3);
     last.set_value();
   });
-  deadlines.after(30ms, [&] { done.push_back(2); });
+  deadlines.after(300ms, [&] { done.push_back(2); });
   deadlines.after(0ms, [&] { done.push_back(1); });
   last.get_future().wait();
   EXPECT_EQ(done, (std::vector{1, 2, 3}));

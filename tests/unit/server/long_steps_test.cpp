@@ -59,7 +59,7 @@ struct LongSteps : HostedCores {
 
 TEST_F(LongSteps, EndAtTheDeadlineAsIfTheirInputHadNotCome) {
   begin_server();
-  const auto spinning = core(milliseconds(300));
+  const auto spinning = core(milliseconds(1000));
   ASSERT_TRUE(spinning->start());
   happen(*spinning, "tick");
   happen(*spinning, "spin");
@@ -103,7 +103,10 @@ TEST_F(LongSteps, OfTheStartCanBeStopped) {
 TEST_F(LongSteps, AreDurableWhenTheyAreShown) {
   begin_server();
   const auto spinning = spinning_core();
-  const Value state = spinning->state().value();
+  Value state = spinning->state().value();
+  // The macro step may not have begun yet.
+  for (; state.find("core")->find("step")->as_integer() < 2; state = spinning->state().value())
+    std::this_thread::sleep_for(milliseconds(5));
   EXPECT_EQ(state.find("core")->find("step")->as_integer(), 2);
   EXPECT_GT(state.find("core")->find("micro")->as_integer(), 0);
   EXPECT_EQ(runs->get(spinning->run_id())->steps, 2U);
