@@ -90,6 +90,30 @@ describe("the form of a state", () => {
     await within(() => text("names")).toMatch(/"value":\s*\[\s*0\.6,\s*1\.0\s*\]/);
   });
 
+  it("takes Enter for a constant whose text as it is written is still on its way", async () => {
+    const { page } = fixture;
+    await open("late", task());
+    await select(page, "A");
+    const value = rows(page, "Parameters").getByRole("textbox", { name: "Constant" });
+    await value.fill("[0.6, 1.0]");
+    await value.press("Enter");
+    await within(() => text("late")).toMatch(/"value":\s*\[\s*0\.6,\s*1\.0\s*\]/);
+    await within(() => value.inputValue()).toBe("[0.6, 1.0]");
+    await value.fill("[0.6, ");
+    const asked = "**/api/v1/documents/late";
+    await page.route(asked, () => undefined);
+    const { revision, document } = (await fixture.send("GET", "/documents/late")) as { readonly revision: number; readonly document: { readonly root: Json } };
+    const parameter = (document.root.children?.[0]?.["parameters"] as { readonly meta: { readonly id: string } }[])[0]?.meta.id;
+    await fixture.send("POST", "/documents/late/edits", { revision, author: "Ann", operations: [{ op: "set", id: parameter, field: "doc", value: "how far" }] });
+    await expect.poll(() => value.getAttribute("readonly"), { timeout: 20_000 }).not.toBeNull();
+    await value.press("Enter");
+    await form(page).getByText("no constant of JSON").waitFor();
+    await page.unroute(asked);
+    await value.press("Escape");
+    await edit("names");
+    await select(page, "Approach");
+  });
+
   it("has lists that work by keyboard, and Delete there spares the state", async () => {
     const { page } = fixture;
     await list(page, "Results").getByRole("button", { name: "Add result" }).focus();

@@ -31,14 +31,16 @@ export type DraftEvent =
   | { readonly type: "kept"; readonly place: FieldPlace; readonly now: string }
   | { readonly type: "sent"; readonly place: FieldPlace }
   | { readonly type: "accepted"; readonly place: FieldPlace }
+  /** It means nothing, or must not be sent; what is on its way still is. */
+  | { readonly type: "not_sent"; readonly place: FieldPlace; readonly reason: string }
   | { readonly type: "refused"; readonly place: FieldPlace; readonly reason: string };
 
 export const noDrafts: Drafts = new Map();
 
 export const keyOfPlace = ({ document, id, field }: FieldPlace): string => `${document}/${id}/${field}`;
 
-/** What somebody else has made of the field since its author began; nothing: what the author knows. */
-export function theirText({ text, base, sent }: DraftText, now: string): string | undefined {
+/** What somebody else has made of the field since its author began; nothing: what the author knows, or `now` is not known. */
+export function theirText({ text, base, sent }: DraftText, now: string | undefined): string | undefined {
   return now === base || now === text || now === sent ? undefined : now;
 }
 
@@ -63,7 +65,9 @@ function next(draft: DraftText | undefined, event: DraftEvent): DraftText | unde
     case "sent":
       return { ...rest, sent: rest.text };
     case "accepted":
-      return sent === undefined || sent === rest.text ? undefined : { ...rest, base: sent };
+      return sent === undefined || sent === rest.text ? undefined : { ...rest, base: sent, ...(reason !== undefined && { reason }) };
+    case "not_sent":
+      return { ...draft, reason: event.reason };
     case "refused":
       return { ...rest, reason: event.reason };
     default:

@@ -3,7 +3,7 @@ import { applyDraftEvent, draftsOf, isUnsent, keyOfPlace, noDrafts, readDrafts, 
 
 const place = { document: "task", id: "a", field: "entry" };
 const after = (...events: readonly DraftEvent[]): Drafts => events.reduce(applyDraftEvent, noDrafts);
-const theirs = (drafts: Drafts, now: string) => {
+const theirs = (drafts: Drafts, now: string | undefined) => {
   const draft = of(drafts);
   return draft && theirText(draft, now);
 };
@@ -34,6 +34,14 @@ describe("the draft of a text", () => {
     if (draft === undefined) throw new Error("no draft");
     expect([isUnsent(draft), theirText(draft, "x")]).toEqual([true, undefined]);
     expect(of(applyDraftEvent(more, { type: "accepted", place }))).toEqual({ ...place, text: "xy", base: "x" });
+  });
+  it("stays, with the reason, when it means nothing, though a text before it is accepted meanwhile", () => {
+    const unreadable = after(typed("x"), { type: "sent", place }, typed("(", "x"), { type: "not_sent", place, reason: "no" });
+    expect(of(unreadable)).toEqual({ ...place, text: "(", base: "pass", sent: "x", reason: "no" });
+    expect(of(applyDraftEvent(unreadable, { type: "accepted", place }))).toEqual({ ...place, text: "(", base: "x", reason: "no" });
+  });
+  it("is overtaken by nobody while it is not known what the document has", () => {
+    expect(theirs(after(typed("x")), undefined)).toBeUndefined();
   });
   it("knows what somebody else has written meanwhile, until its author keeps it", () => {
     const drafts = after(typed("mine"));

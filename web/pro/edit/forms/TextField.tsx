@@ -25,7 +25,7 @@ export interface TextFieldProps {
 
 export function TextField({ id, field, label, now, change, kind = "line", isBare = false, placeholder, choices, className }: TextFieldProps) {
   const unique = useId();
-  const draft = useDraft(id, field, now ?? "", change);
+  const draft = useDraft(id, field, now, change);
   const refusal = useRefusal("edit");
   const readOnly = now === undefined || refusal !== undefined;
   const control = {

@@ -38,7 +38,7 @@ const underWay = new Map<Change, FieldPlace>();
 export function sendDraft(place: FieldPlace, change: Change): void {
   const reason = refusalNow("edit");
   if (reason !== undefined) {
-    drafts.dispatch({ type: "refused", place, reason });
+    drafts.dispatch({ type: "not_sent", place, reason });
     return;
   }
   drafts.dispatch({ type: "sent", place });

@@ -23,8 +23,8 @@ export interface DraftField {
   readonly keep: () => void;
 }
 
-/** `now`: the text that the document has. */
-export function useDraft(id: string, field: string, now: string, changeOf: ChangeOf): DraftField {
+/** `now`: the text that the document has; nothing: it is not known for the moment, and nobody is taken to have overtaken the author. */
+export function useDraft(id: string, field: string, now: string | undefined, changeOf: ChangeOf): DraftField {
   const document = useEditing((state) => state.document) ?? "";
   const place: FieldPlace = { document, id, field };
   const key = keyOfPlace(place);
@@ -39,19 +39,19 @@ export function useDraft(id: string, field: string, now: string, changeOf: Chang
     if (current === undefined || !isUnsent(current) || editing.get().session === undefined) return;
     if (theirText(current, now) !== undefined || (current.reason !== undefined && !again)) return;
     const change = changeOf(current.text);
-    if ("reason" in change) drafts.dispatch({ type: "refused", place, reason: change.reason });
+    if ("reason" in change) drafts.dispatch({ type: "not_sent", place, reason: change.reason });
     else sendDraft(place, change);
   };
   return {
-    text: draft?.text ?? now,
+    text: draft?.text ?? now ?? "",
     isDraft: draft !== undefined && isUnsent(draft) && !isDone,
     reason: draft?.reason,
     theirs: draft && theirText(draft, now),
-    type: (text) => drafts.dispatch({ type: "typed", place, text, now }),
+    type: (text) => drafts.dispatch({ type: "typed", place, text, now: now ?? draft?.base ?? "" }),
     commit,
     giveUp: () => drafts.dispatch({ type: "given_up", place }),
     keep: () => {
-      drafts.dispatch({ type: "kept", place, now });
+      if (now !== undefined) drafts.dispatch({ type: "kept", place, now });
       sendKept(place, changeOf);
     },
   };
@@ -61,6 +61,6 @@ function sendKept(place: FieldPlace, changeOf: ChangeOf): void {
   const kept = drafts.get().get(keyOfPlace(place));
   if (kept === undefined) return;
   const change = changeOf(kept.text);
-  if ("reason" in change) drafts.dispatch({ type: "refused", place, reason: change.reason });
+  if ("reason" in change) drafts.dispatch({ type: "not_sent", place, reason: change.reason });
   else sendDraft(place, change);
 }
