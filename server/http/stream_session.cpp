@@ -111,11 +111,11 @@ class StreamSession final : public Session, public Subscriber {
   }
 
   std::vector<asio::const_buffer> pieces_of(const std::vector<Text>& texts) const {
-    if (!gathers_) return {asio::buffer(*texts.front())};
+    if (!gathers_) return {asio::buffer(texts.front()->json)};
     std::vector<asio::const_buffer> pieces;
     for (const Text& text : texts) {
       pieces.push_back(asio::buffer(pieces.empty() ? "[" : ",", 1));
-      pieces.push_back(asio::buffer(*text));
+      pieces.push_back(asio::buffer(text->json));
     }
     pieces.push_back(asio::buffer("]", 1));
     return pieces;

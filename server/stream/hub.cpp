@@ -16,7 +16,8 @@ Hub::Hub(Pool& pool, std::int64_t first, std::function<std::optional<Source>(con
       find_(std::move(find)) {}
 
 Text Hub::serialise(const std::string& channel, std::int64_t sequence, const char* kind, const Value& data) {
-  return messages_.make(to_json(Dict{{"channel", channel}, {"sequence", sequence}, {"kind", kind}, {"data", data}}));
+  return messages_.make({sequence, kind,
+                         to_json(Dict{{"channel", channel}, {"sequence", sequence}, {"kind", kind}, {"data", data}})});
 }
 
 void Hub::send(Subscriber& subscriber, const std::string& channel, Text text, bool sampled) {
@@ -81,7 +82,7 @@ void Hub::join(const std::shared_ptr<Subscriber>& subscriber, const std::string&
   if (since && catch_up(name, *channel, *subscriber, *since)) {
     channel->subscribers.insert(subscriber);
   } else if (channel->snapshot && !channel->source.sampled && channel->snapshot->sequence == channel->sequence) {
-    send(*subscriber, name, channel->snapshot->text, false);
+    send(*subscriber, name, channel->snapshot, false);
     channel->subscribers.insert(subscriber);
   } else {
     channel->waiting.insert(subscriber);
@@ -94,12 +95,12 @@ void Hub::join(const std::shared_ptr<Subscriber>& subscriber, const std::string&
 // the snapshot gets it first.
 bool Hub::catch_up(const std::string& name, Channel& channel, Subscriber& subscriber, std::int64_t since) {
   if (since < channel.first || since > channel.sequence) return false;
-  const std::int64_t oldest = channel.deltas.empty() ? channel.sequence + 1 : channel.deltas.front().sequence;
+  const std::int64_t oldest = channel.deltas.empty() ? channel.sequence + 1 : channel.deltas.front()->sequence;
   if (since + 1 < oldest) return false;
   if (channel.snapshot && channel.snapshot->sequence == since)
-    send(subscriber, name, channel.snapshot->text, channel.source.sampled);
-  for (const Message& message : channel.deltas)
-    if (message.sequence > since) send(subscriber, name, message.text, channel.source.sampled);
+    send(subscriber, name, channel.snapshot, channel.source.sampled);
+  for (const Text& message : channel.deltas)
+    if (message->sequence > since) send(subscriber, name, message, channel.source.sampled);
   return true;
 }
 

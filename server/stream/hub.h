@@ -109,22 +109,18 @@ class Hub {
   void refuse(std::shared_ptr<Subscriber> subscriber, std::string channel, std::vector<Error> errors);
 
  private:
-  struct Message {
-    std::int64_t sequence;
-    Text text;
-  };
   using Subscribers = std::set<std::shared_ptr<Subscriber>>;  // held until they disconnect
   struct Channel {
     Source source;
     std::int64_t first = 0;     // before its first message
     std::int64_t sequence = 0;  // of the last message
-    std::deque<Message> deltas;
+    std::deque<Text> deltas;
     std::size_t bytes = 0;
-    std::optional<Message> snapshot;   // as of its number
+    Text snapshot;                     // as of its number; may be empty
     Subscribers subscribers, waiting;  // those that wait for a snapshot get no deltas yet
 
     bool is_idle() const { return subscribers.empty() && waiting.empty(); }
-    std::size_t kept_bytes() const { return bytes + (snapshot ? snapshot->text->size() : 0); }
+    std::size_t kept_bytes() const { return bytes + (snapshot ? snapshot->json.size() : 0); }
     void drop_kept() {
       deltas.clear();
       bytes = 0;

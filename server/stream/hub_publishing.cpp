@@ -25,7 +25,8 @@ Text Hub::serialise(const std::string& channel, std::int64_t sequence, const cha
   std::string text = to_json(Dict{{"channel", channel}, {"sequence", sequence}, {"kind", kind}});
   text.pop_back();  // the brace
   text.reserve(text.size() + what.json->size() + 16);
-  return messages_.make(std::move(text.append(",\"data\":").append(*what.json).append("}")));
+  text.append(",\"data\":").append(*what.json).append("}");
+  return messages_.make({sequence, kind, std::move(text)});
 }
 
 void Hub::publish_snapshot(const std::string& name, Value data) {
@@ -43,9 +44,9 @@ void Hub::publish_replacement(const std::string& name, Value data) {
 // A snapshot has the number of the last delta that it contains.
 void Hub::add_snapshot(const std::string& name, Channel& channel, const Publication& what) {
   if (channel.is_idle()) return;
-  Message snapshot{channel.sequence, serialise(name, channel.sequence, "snapshot", what)};
+  Text snapshot = serialise(name, channel.sequence, "snapshot", what);
   for (const auto& subscriber : channel.waiting) {
-    send(*subscriber, name, snapshot.text, channel.source.sampled);
+    send(*subscriber, name, snapshot, channel.source.sampled);
     channel.subscribers.insert(subscriber);
   }
   channel.waiting.clear();
@@ -53,14 +54,15 @@ void Hub::add_snapshot(const std::string& name, Channel& channel, const Publicat
 }
 
 void Hub::add_delta(const std::string& name, Channel& channel, const Publication& what) {
-  const Message message{++channel.sequence, serialise(name, channel.sequence, "delta", what)};
-  for (const auto& subscriber : channel.subscribers) send(*subscriber, name, message.text, channel.source.sampled);
-  channel.bytes += message.text->size();
+  ++channel.sequence;
+  const Text message = serialise(name, channel.sequence, "delta", what);
+  for (const auto& subscriber : channel.subscribers) send(*subscriber, name, message, channel.source.sampled);
+  channel.bytes += message->json.size();
   channel.deltas.push_back(message);
   const std::size_t most = channel.source.sampled ? 1 : kMaxDeltas;
   const std::size_t most_bytes = channel.is_idle() ? kMaxIdleDeltaBytes : kMaxDeltaBytes;
   while (channel.deltas.size() > most || channel.bytes > most_bytes) {
-    channel.bytes -= channel.deltas.front().text->size();
+    channel.bytes -= channel.deltas.front()->json.size();
     channel.deltas.pop_front();
   }
   // Every message of a sampled channel is the whole.

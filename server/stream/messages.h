@@ -5,24 +5,33 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace race::server {
 
+/// A message as it is sent, with what its head says for who sends that in another form, too.
+struct StreamMessage {
+  std::int64_t sequence = 0;
+  std::string_view kind;  // "snapshot", "delta", ...: a literal
+  std::string json;       // schemas/stream_message.json
+};
+
 /// One serialisation, shared by all clients that get it.
-using Text = std::shared_ptr<const std::string>;
+using Text = std::shared_ptr<const StreamMessage>;
 
 /// Makes messages, and counts the bytes of those that somebody still holds: each once, however many do.
 class MessageMemory {
  public:
-  Text make(std::string text) {
-    auto owned = std::make_unique<const std::string>(std::move(text));
-    *held_ += owned->size();
+  Text make(StreamMessage message) {
+    auto owned = std::make_unique<const StreamMessage>(std::move(message));
+    *held_ += owned->json.size();
     // Messages may outlive this.
-    return {owned.release(), [held = held_](const std::string* each) {
-              *held -= each->size();
+    return {owned.release(), [held = held_](const StreamMessage* each) {
+              *held -= each->json.size();
               delete each;
             }};
   }

@@ -11,12 +11,12 @@ void Outbox::push(const std::string& channel, Text text, bool sampled) {
   if (sampled) {
     const auto older = std::ranges::find(items_, channel, &Item::channel);
     if (older != items_.end()) {
-      bytes_ = bytes_ - older->text->size() + text->size();
+      bytes_ = bytes_ - older->text->json.size() + text->json.size();
       older->text = std::move(text);
       return;
     }
   }
-  bytes_ += text->size();
+  bytes_ += text->json.size();
   items_.push_back({channel, std::move(text), sampled});
   // A lone message may be as large as it is: it is a snapshot or what a client asked for.
   while (items_.size() > 1 && (items_.size() > kMessages || bytes_ > kBytes)) {
@@ -36,8 +36,8 @@ std::vector<Text> Outbox::pop_together(std::size_t limit) {
   const services::MutexLock lock(mutex_);
   std::vector<Text> texts;
   sending_ = 0;
-  while (!items_.empty() && (texts.empty() || sending_ + items_.front().text->size() <= limit)) {
-    sending_ += items_.front().text->size();
+  while (!items_.empty() && (texts.empty() || sending_ + items_.front().text->json.size() <= limit)) {
+    sending_ += items_.front().text->json.size();
     texts.push_back(std::move(items_.front().text));
     items_.pop_front();
   }
@@ -91,7 +91,7 @@ std::size_t Outbox::bytes() const {
 void Outbox::erase(const std::string& channel) {
   std::erase_if(items_, [&](const Item& item) REQUIRES(mutex_) {
     if (item.channel != channel) return false;
-    bytes_ -= item.text->size();
+    bytes_ -= item.text->json.size();
     return true;
   });
 }

@@ -102,7 +102,7 @@ class Stream {
  private:
   void read() {
     FUZZ_EXPECT(client_->outbox().size() <= Outbox::kMessages);
-    while (const auto text = client_->outbox().pop()) FUZZ_EXPECT(parse_json(**text).has_value());
+    while (const auto text = client_->outbox().pop()) FUZZ_EXPECT(parse_json((*text)->json).has_value());
   }
   std::optional<Source> find(const std::string& name) {
     if (const auto display = match(kDisplayChannel, name)) return displays_.source(display->at("name"));

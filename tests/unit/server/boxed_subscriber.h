@@ -18,13 +18,13 @@ struct BoxedSubscriber : Subscriber {
   /// The messages that came since.
   std::vector<Value> messages() {
     std::vector<Value> out;
-    while (const auto text = box.pop()) out.push_back(parse_json(**text).value());
+    while (const auto text = box.pop()) out.push_back(parse_json((*text)->json).value());
     return out;
   }
   /// The next message; waits for it.
   Value next() {
     for (;;) {
-      if (const auto text = box.pop()) return parse_json(**text).value();
+      if (const auto text = box.pop()) return parse_json((*text)->json).value();
       std::this_thread::yield();
     }
   }

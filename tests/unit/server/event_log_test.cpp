@@ -23,7 +23,7 @@ struct EventLogTest : testing::Test {
     }
     hub.shut_down();  // waits until the hub has nothing left to do
     std::vector<std::string> lines;
-    const Value message = parse_json(**text).value();
+    const Value message = parse_json((*text)->json).value();
     for (const Value& entry : message.find("data")->find("entries")->as_list())
       lines.push_back(entry.find("source")->as_string() + ": " + entry.find("text")->as_string());
     return lines;

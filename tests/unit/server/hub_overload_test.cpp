@@ -31,8 +31,8 @@ struct Reader final : BoxedSubscriber {
       throw std::bad_alloc();
     }
     while (const auto text = box.pop()) {
-      if ((*text)->size() > kMega) continue;
-      const Value message = parse_json(**text).value();
+      if ((*text)->json.size() > kMega) continue;
+      const Value message = parse_json((*text)->json).value();
       const Value* data = message.find("data");
       const Value* state = data->is_dict() ? data->find("state") : data;
       read.push_back({message.find("kind")->as_string(), message.find("sequence")->as_integer() - kFirst,

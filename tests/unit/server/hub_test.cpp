@@ -247,6 +247,22 @@ TEST_F(HubTest, OneSerialisationIsSharedByAllSubscribers) {
   EXPECT_EQ(client->box.pop()->get(), other->box.pop()->get());
 }
 
+TEST_F(HubTest, AMessageSaysBesideItsTextWhatTheTextSays) {
+  hub.subscribe(client, "n", {});
+  settle();
+  delta();
+  hub.publish_delta("n", Value(std::string(2 * Publication::kLargeUnits, 'x')));  // is serialised by who publishes it
+  hub.subscribe(client, "nothing", {});
+  settle();
+  for (const char* kind : {"snapshot", "delta", "delta", "error"}) {
+    const Text message = client->box.pop().value();
+    const Value json = parse_json(message->json).value();
+    EXPECT_EQ(message->kind, kind);
+    EXPECT_EQ(json.find("kind")->as_string(), kind);
+    EXPECT_EQ(json.find("sequence")->as_integer(), message->sequence);
+  }
+}
+
 TEST_F(HubTest, ReplacesWhatAllSubscribersHave) {
   hub.subscribe(client, "n", {});
   settle();

@@ -8,11 +8,13 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-Text text(std::string content) { return std::make_shared<const std::string>(std::move(content)); }
+Text text(std::string content) {
+  return std::make_shared<const StreamMessage>(StreamMessage{1, "delta", std::move(content)});
+}
 
 std::vector<std::string> all(Outbox& outbox) {
   std::vector<std::string> out;
-  while (const auto next = outbox.pop()) out.push_back(**next);
+  while (const auto next = outbox.pop()) out.push_back((*next)->json);
   return out;
 }
 
@@ -29,7 +31,7 @@ TEST(Outbox, GivesTogetherWhatFitsAndTheFirstHoweverLargeItIs) {
   for (const char* each : {"12345", "6", "78", "9"}) outbox.push("a", text(each), false);
   const auto together = [&](std::size_t limit) {
     std::vector<std::string> texts;
-    for (const Text& each : outbox.pop_together(limit)) texts.push_back(*each);
+    for (const Text& each : outbox.pop_together(limit)) texts.push_back(each->json);
     return texts;
   };
   EXPECT_THAT(together(3), ElementsAre("12345"));
