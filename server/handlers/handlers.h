@@ -112,6 +112,7 @@ void set_core_live(const Request& request, Respond respond, Cores& cores, LiveEd
 void force_core(const Request& request, Respond respond, Cores& cores, ManualControl& manual);
 void get_core_native(const Request& request, Respond respond, Cores& cores);
 void get_core_state(const Request& request, Respond respond, Cores& cores);
+Handled get_core_events(const Request& request, Cores& cores);
 void get_derivations(const Request& request, Respond respond, Cores& cores);
 Handled get_core_script(const Request& request, Cores& cores, Runs& runs);
 Handled get_core_journal(const Request& request, Cores& cores, Runs& runs);

@@ -96,6 +96,7 @@ constexpr std::array kRoutes = {
     Route{"POST", "/api/v1/cores/{id}/force", call<force_core>, kBody},
     Route{"GET", "/api/v1/cores/{id}/native", call<get_core_native>},
     Route{"GET", "/api/v1/cores/{id}/state", call<get_core_state>},
+    Route{"GET", "/api/v1/cores/{id}/events", call<get_core_events>},
     Route{"GET", "/api/v1/cores/{id}/derivations", call<get_derivations>, kNoBody, "from to"},
     Route{"GET", "/api/v1/cores/{id}/script", call<get_core_script>},
     Route{"GET", "/api/v1/cores/{id}/journal", call<get_core_journal>},

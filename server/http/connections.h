@@ -27,7 +27,7 @@ class Connections {
     idle,       // nothing is under way: before the first byte, between requests, or all is said
     reading,    // the header
     answering,  // from the end of the header until the answer has left
-    websocket,
+    websocket,  // or events
   };
   /// Ends a connection, soon; not before it returns.
   using End = std::function<void()>;
@@ -77,7 +77,8 @@ class Connections::Place {
 
   bool is_reserved() const { return entry_->reserved; }
   void begin(Phase phase);
-  /// It is a WebSocket from now on. False: there are too many, or the place is a reserved one.
+  /// It is a WebSocket from now on, or an answer that goes on (event_session.h). False: there are too many, or the
+  /// place is a reserved one.
   bool begin_websocket();
   /// How the connection ends from now on.
   void on_end(End end) { entry_->end = std::move(end); }

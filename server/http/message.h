@@ -1,6 +1,7 @@
 // Request and Reply: what the routes see of HTTP. The listener makes one from the other; sockets stay there.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,6 +34,12 @@ struct Request {
   std::size_t count(std::string_view name) const;
 };
 
+/// An answer that goes on: the messages of a channel of the stream, as Server-Sent Events (event_session.h).
+struct ChannelEvents {
+  std::string channel;                // "core/1/state"
+  std::optional<std::int64_t> since;  // the client has all messages up to this number
+};
+
 /// An answer: JSON, or a text of another type.
 struct Reply {
   int status = 200;
@@ -42,6 +49,7 @@ struct Reply {
   // For the audit log: one of so many that it would hold little else; and the name of who tried to log in.
   bool is_routine = false;
   std::optional<std::string> logged_in = {};
+  std::optional<ChannelEvents> events = {};  // follow the header; there is no other content
 };
 
 /// The path and query of a request target, decoded. Error `syntax`: it is not of the form /path?query, or is

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "server/http/answering.h"
+#include "server/http/event_session.h"
 #include "server/http/handshake.h"
 #include "server/http/listening.h"
 #include "server/http/on_pool.h"
@@ -38,18 +39,20 @@ bool is_urgent(const Request& request) {
   return request.method == "POST" && match("/api/v1/cores/{id}/stop", request.path);
 }
 
-// The response to a request that has arrived. Its text is made on the threads of the handlers: it may be large. What is
-// urgent waits for no other request.
-awaitable<Response> respond(Request request, ResponseOptions options, Client& client, Context& context) {
-  if (is_health(request)) co_return make_response(context.backend.health(), options);
-  if (is_cell_stop(request)) co_return make_response(context.backend.stop(request.identity), options);
-  const bool urgent = is_urgent(request);
-  auto [reply, units] =
-      co_await reply_to(std::move(request), client.stream, urgent ? context.urgent : context.handlers, context);
-  if (urgent) co_return make_response(std::move(reply), options);
-  const auto share = context.budget.take(options.head ? 0 : units);  // until its text has one
+// The reply to a request that has arrived. What is urgent waits for no other request.
+awaitable<Answered> get_reply(Request request, Client& client, Context& context) {
+  if (is_health(request)) co_return Answered{context.backend.health(), 0};
+  if (is_cell_stop(request)) co_return Answered{context.backend.stop(request.identity), 0};
+  Pool& pool = is_urgent(request) ? context.urgent : context.handlers;
+  co_return co_await reply_to(std::move(request), client.stream, pool, context);
+}
+
+// Its response. The text is made on the threads of the handlers, but of what is urgent: it may be large.
+awaitable<Response> respond(Answered answered, bool urgent, ResponseOptions options, Context& context) {
+  if (urgent) co_return make_response(std::move(answered.reply), options);
+  const auto share = context.budget.take(options.head ? 0 : answered.units);  // until its text has one
   if (!share) co_return make_response(overload("clients hold too much that is not taken yet"), ResponseOptions());
-  std::function<Response()> work = [reply = std::move(reply), options]() mutable {
+  std::function<Response()> work = [reply = std::move(answered.reply), options]() mutable {
     return make_response(std::move(reply), options);
   };
   co_return co_await on_pool(context.handlers, std::move(work));
@@ -169,6 +172,19 @@ awaitable<bool> serve_websocket(Client& client, Request header, Upgrade request,
   co_return false;
 }
 
+// Follows a channel of the stream until one side ends that; it counts as a WebSocket. `version`: of HTTP, as in 11.
+awaitable<bool> follow_channel(Client& client, Reply reply, Identity identity, unsigned version, Context& context) {
+  auto refused = refuse_websocket(client);
+  if (refused) co_return co_await refuse(client, std::move(*refused), ResponseOptions(), context);
+  const Gauge::Hold counted(context.backend.clients.events);
+  const EventTargets targets{context.backend.hub, context.backend.records, context.limits.write_timeout, version >= 11};
+  ChannelEvents events = std::move(*reply.events);
+  Response head = make_response(std::move(reply), ResponseOptions());
+  co_await serve_events(std::move(client.stream), std::move(head), std::move(events), std::move(identity), targets,
+                        *client.place);
+  co_return false;
+}
+
 // Serves one request of a connection; its first byte may take `begin`. Returns whether another may follow.
 awaitable<bool> serve_one(Client& client, Context& context, std::chrono::milliseconds begin) {
   RequestParser parser;
@@ -201,7 +217,13 @@ awaitable<bool> serve_one(Client& client, Context& context, std::chrono::millise
   options.keep_alive = parser.keep_alive() && !reserved && !context.ending;
   request->body = std::move(parser.get().body());
   client.stream.expires_never();
-  Response response = co_await respond(std::move(*request), options, client, context);
+  const bool urgent = is_urgent(*request);
+  Identity identity = request->identity;
+  Answered answered = co_await get_reply(std::move(*request), client, context);
+  if (answered.reply.events && !options.head)
+    co_return co_await follow_channel(client, std::move(answered.reply), std::move(identity), parser.get().version(),
+                                      context);
+  Response response = co_await respond(std::move(answered), urgent, options, context);
   body = {};
   co_return co_await send_answer(client, std::move(response), context);
 }

@@ -78,6 +78,7 @@ std::string Metrics::text() const {
   to.sample(kSockets, {{"kind", "stream"}}, of(clients_.streams.count()));
   to.sample(kSockets, {{"kind", "control"}}, of(clients_.controls.count()));
   to.sample(kSockets, {{"kind", "components"}}, of(clients_.processes.count()));
+  to.single("race_event_streams", "gauge", "Answers now that go on: Server-Sent Events.", of(clients_.events.count()));
   collect_(to);
   return to.text();
 }

@@ -40,9 +40,9 @@ class Gauge {
   std::atomic<std::int64_t> count_{0};
 };
 
-/// Who is connected: all connections, and those of them that are WebSockets.
+/// Who is connected: all connections, those of them that are WebSockets, and those that get events.
 struct ClientGauges {
-  Gauge connections, streams, controls, processes;
+  Gauge connections, streams, controls, processes, events;
 };
 
 class Metrics {

@@ -16,8 +16,8 @@ Hub::Hub(Pool& pool, std::int64_t first, std::function<std::optional<Source>(con
       find_(std::move(find)) {}
 
 Text Hub::serialise(const std::string& channel, std::int64_t sequence, const char* kind, const Value& data) {
-  return messages_.make({sequence, kind,
-                         to_json(Dict{{"channel", channel}, {"sequence", sequence}, {"kind", kind}, {"data", data}})});
+  return messages_.make(
+      {sequence, kind, to_json(Dict{{"channel", channel}, {"sequence", sequence}, {"kind", kind}, {"data", data}})});
 }
 
 void Hub::send(Subscriber& subscriber, const std::string& channel, Text text, bool sampled) {

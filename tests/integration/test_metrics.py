@@ -10,6 +10,7 @@ from accounts import AccountServer
 from client import PROJECT, Server
 from component_process import LONG_HEARTBEAT, component_client
 from controls import Controls
+from events import Events
 from interface import INTERFACE
 
 NAME = r"[a-zA-Z_:][a-zA-Z0-9_:]*"
@@ -166,6 +167,10 @@ class Metrics(unittest.TestCase):
             each.close()
         self.server.wait_for(lambda: self.value("race_connections") == 1)
         self.server.wait_for(lambda: self.value("race_websockets", kind="stream") == 0)
+        core = self.server.core(models.ticking("followed"), start=False)
+        with Events(self.server.port, core):
+            self.assertEqual(self.value("race_event_streams"), 1)
+        self.server.wait_for(lambda: self.value("race_event_streams") == 0)
         person = Controls(self.server)
         self.server.wait_for(lambda: self.value("race_websockets", kind="control") == 1)
         person.close()

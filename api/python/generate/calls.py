@@ -51,7 +51,8 @@ class Route:
         self.body_required = body.get("required", False)
         answers = [component(answer) for status, answer in operation["responses"].items() if status in ("200", "201")]
         self.answer = json_address(answers[0].get("content", {})) if answers else None
-        self.upgrades = "101" in operation["responses"]
+        content = operation["responses"].get("200", {}).get("content", {})
+        self.goes_on = "101" in operation["responses"] or "text/event-stream" in content  # no call: the answer has no end
 
     @property
     def module(self) -> str:
@@ -122,7 +123,7 @@ def all_routes() -> list[Route]:
     routes = [Route(path, method, operation, methods.get("parameters", []))
               for path, methods in INTERFACE["paths"].items()
               for method, operation in methods.items() if method in ("get", "put", "post", "delete")]
-    return [route for route in routes if not route.upgrades]
+    return [route for route in routes if not route.goes_on]
 
 
 def stream_path() -> str:

@@ -109,7 +109,8 @@ class Connection {
     return got > 0;
   }
   static bool is_whole(const std::string& answer) {
-    if (answer.starts_with("HTTP/1.1 101")) return true;
+    if (answer.starts_with("HTTP/1.1 101") || answer.find("Transfer-Encoding: chunked") != std::string::npos)
+      return true;
     constexpr std::string_view kLength = "Content-Length: ";
     const auto length = answer.find(kLength);
     return length != std::string::npos &&
@@ -170,6 +171,7 @@ struct ListenerTest : testing::Test {
     if (request.path == "/api/v1/large") return text(std::size_t{64} << 20U);
     if (request.path == "/api/v1/small") return text(1000);
     if (request.path == "/api/v1/cores/1/stop") return Reply();
+    if (request.path == "/api/v1/events") return events();
     if (request.path == "/api/v1/cores") return Reply();
     return refusal(404, "not_found", "there is no such route");
   }
@@ -183,6 +185,19 @@ struct ListenerTest : testing::Test {
     reply.text = std::string(bytes, 'x');
     reply.type = "text/plain";
     return reply;
+  }
+  static Reply events() {
+    Reply reply;
+    reply.type = "text/event-stream";
+    reply.events = ChannelEvents{"log", std::nullopt};
+    return reply;
+  }
+  // A snapshot of the log, once the client follows it.
+  void publish_first(Connection& client) {
+    while (client.is_open()) {
+      hub.publish_snapshot("log", Value("x"));
+      std::this_thread::sleep_for(1ms);
+    }
   }
   // A header of a request with a body of so many bytes.
   std::string header(std::size_t bytes) const {
@@ -336,6 +351,43 @@ TEST_F(ListenerTest, AWebSocketTooManyIsRefused) {
   first.reset();
   int status = 0;
   while (status != 101) status = connection()->ask(upgrade());  // the server hears of the end on its own time
+}
+
+TEST_F(ListenerTest, EventsCountAsAWebSocket) {
+  serve({.connections = kFew});
+  auto first = connection(), second = connection();
+  EXPECT_EQ(first->get("/api/v1/events"), 200);
+  EXPECT_EQ(second->get("/api/v1/events"), 503);
+  EXPECT_EQ(connection()->ask(upgrade()), 503);
+  first.reset();
+  int status = 0;
+  while (status != 101) status = connection()->ask(upgrade());
+}
+
+TEST_F(ListenerTest, EventsEndWithTheServer) {
+  serve({});
+  auto client = connection();
+  EXPECT_EQ(client->get("/api/v1/events"), 200);
+  publish_first(*client);
+  const std::string event =
+      "id: 1\nevent: snapshot\ndata: "
+      R"({"channel":"log","sequence":1,"kind":"snapshot","data":"x"})"
+      "\n\n";
+  EXPECT_EQ(client->read(event.size() + 6), "59\r\n" + event + "\r\n");
+  server->stop();
+  EXPECT_EQ(client->read(5), "0\r\n\r\n");
+  EXPECT_TRUE(client->is_closed());
+}
+
+TEST_F(ListenerTest, WhoTakesNoEventsIsCut) {
+  serve({.write_timeout = 200ms});
+  auto client = connection();
+  EXPECT_EQ(client->get("/api/v1/events"), 200);
+  publish_first(*client);
+  hub.publish_delta("log", Value(std::string(std::size_t{16} << 20U, 'x')));
+  client->await_end();
+  EXPECT_EQ(connection()->get("/api/v1/small"), 200);
+  while (hub.message_bytes() > 1000) std::this_thread::yield();  // what it has not taken is given back
 }
 
 TEST_F(ListenerTest, HealthWaitsForNoHandler) {
