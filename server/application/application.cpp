@@ -173,7 +173,11 @@ Expected<void> Application::create_cores(const Setup& setup) {
       std::make_unique<PictureRecorder>(cell_->host(), *cores_, *pictures_,
                                         [this](LogLevel level, const std::string& text) { log("store", text, level); });
   picture_recorder_->connect();
-  core_publisher_->on_change([this](const std::string& id, const Value& core) { keeper_->core_changed(id, core); });
+  queue_ = std::make_unique<RunQueue>(*control_, *documents_, *cores_, *access_);
+  core_publisher_->on_change([this](const std::string& id, const Value& core) {
+    keeper_->core_changed(id, core);
+    queue_->core_changed(id, core);
+  });
   core_publisher_->connect(cell_->clock(), *cores_);
   service_publisher_->connect(*cores_);
   auto recovered = cores_->recover();
@@ -209,6 +213,7 @@ Application::~Application() {
   services::set_failure_handler({});
   if (motion_end_) motion_end_->finish();
   if (cell_stop_) cell_stop_->end();
+  if (queue_) queue_->end();
   if (cores_) cores_->close();
   restores_.end();  // one that is under way waits for the cores
   // What is asked is answered by nobody from here on, and what it would use may go.
@@ -282,6 +287,7 @@ Backend Application::make_backend() {
           metrics_->clients(),
           [this](const std::string& why, std::function<void()> done) {
             log("server", "ends: " + why);
+            queue_->close();
             motion_end_->begin_end(cell_->host(), *cores_,
                                    [this, done = std::move(done)] { hub_->after(done); });  // when that is told, too
           }};
@@ -299,7 +305,8 @@ Resources Application::resources() {
   return {*documents_, *breakpoints_, *editing_,    *boot_list_, *backups_,  *runs_,    *samples_,
           *pictures_,  *cores_,       *live_edits_, replays_,    deadlines_, restores_, *cell_,
           *log_,       answers_,      *accounts_,   *passwords_, attempts_,  tickets_,  *audit_,
-          authority_,  *control_,     *cell_stop_,  *metrics_,   *manual_,   pairings_, addresses_};
+          authority_,  *control_,     *cell_stop_,  *metrics_,   *manual_,   pairings_, addresses_,
+          *queue_};
 }
 
 }  // namespace race::server

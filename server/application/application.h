@@ -39,6 +39,7 @@
 #include "server/http/listener.h"
 #include "server/log/event_log.h"
 #include "server/metrics/metrics.h"
+#include "server/queue/run_queue.h"
 #include "server/runs/picture_recorder.h"
 #include "server/runs/run_keeper.h"
 #include "server/store/backup.h"
@@ -154,6 +155,7 @@ class Application {
   std::unique_ptr<Cores> cores_;
   std::unique_ptr<CellStop> cell_stop_;
   std::unique_ptr<ManualControl> manual_;
+  std::unique_ptr<RunQueue> queue_;
   std::unique_ptr<LiveEdits> live_edits_;
   std::unique_ptr<RunKeeper> keeper_;
   std::unique_ptr<PictureRecorder> picture_recorder_;

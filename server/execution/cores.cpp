@@ -85,6 +85,11 @@ Checked<LiveEdit> Cores::edit_for(const Core& core, const StoredDocument& stored
   return edit;
 }
 
+Checked<void> Cores::check(const StoredDocument& stored, Dict arguments) const {
+  if (auto header = header_of(stored, std::move(arguments)); !header) return tl::unexpected(std::move(header).error());
+  return {};
+}
+
 Checked<std::shared_ptr<Core>> Cores::create(const StoredDocument& stored, Dict arguments, bool live) {
   auto header = header_of(stored, std::move(arguments));
   if (!header) return tl::unexpected(std::move(header).error());

@@ -34,6 +34,8 @@ class Cores {
   /// them is over; `storage`. In place of a refusal the oldest core whose run is over is removed: its run stays in the
   /// store.
   Checked<std::shared_ptr<Core>> create(const StoredDocument& stored, Dict arguments, bool live = false);
+  /// Whether create() would make a core of this, but for the number of cores. Errors: as create().
+  Checked<void> check(const StoredDocument& stored, Dict arguments) const;
   /// Another model, or the same with other arguments, in a core that has not begun. Nothing in `live`: it follows its
   /// document if it did before. Errors: as create(); `conflict`: it has, or it is being loaded or removed; `not_found`.
   void load(const std::string& id, const StoredDocument& stored, Dict arguments, std::optional<bool> live,

@@ -3,6 +3,7 @@
 #include "server/execution/cores.h"
 #include "server/handlers/handlers.h"
 #include "server/handlers/idempotency.h"
+#include "server/queue/run_queue.h"
 #include "server/store/backup.h"
 #include "server/threads/strand.h"
 #include "server/wire/calendar.h"
@@ -42,7 +43,8 @@ Handled delete_backup(const Request& request, Backups& backups) {
 namespace {
 
 // Cores that are over or have not begun go: the store of that time knows others. Waits for them, and for edits.
-Handled restore(const std::string& name, Backups& backups, Cores& cores, Editing& editing, IdempotentAnswers& answers) {
+Handled restore(const std::string& name, Backups& backups, Cores& cores, Editing& editing, IdempotentAnswers& answers,
+                RunQueue& queue) {
   const auto paused = editing.pause();
   if (!paused) return failed(paused.error());
   if (auto closed = cores.close_for_restore(); !closed) return failed(std::move(closed).error());
@@ -53,15 +55,16 @@ Handled restore(const std::string& name, Backups& backups, Cores& cores, Editing
   });
   cores.reopen();
   answers.clear();
+  queue.cancel_all();
   return answer_with(restored);
 }
 
 }  // namespace
 
 void restore_backup(const Request& request, Respond respond, Backups& backups, Cores& cores, Editing& editing,
-                    IdempotentAnswers& answers, Pool& restores) {
+                    IdempotentAnswers& answers, RunQueue& queue, Pool& restores) {
   restores.post([&, name = request.parameters.at("name"), respond = std::move(respond)] {
-    respond(restore(name, backups, cores, editing, answers));
+    respond(restore(name, backups, cores, editing, answers, queue));
   });
 }
 

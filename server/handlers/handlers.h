@@ -41,6 +41,7 @@ class Pairings;
 class Passwords;
 class Pictures;
 class Pool;
+class RunQueue;
 class Runs;
 class Samples;
 class Tickets;
@@ -93,7 +94,7 @@ Handled get_backup(const Request& request, Backups& backups);
 Handled create_backup(const Request& request, Backups& backups);
 Handled delete_backup(const Request& request, Backups& backups);
 void restore_backup(const Request& request, Respond respond, Backups& backups, Cores& cores, Editing& editing,
-                    IdempotentAnswers& answers, Pool& restores);
+                    IdempotentAnswers& answers, RunQueue& queue, Pool& restores);
 Handled list_services(const Request& request, Cell& cell);
 void call_service(const Request& request, Respond respond, ManualControl& manual);
 Handled list_cores(const Request& request, Cores& cores);
@@ -118,6 +119,12 @@ Handled get_core_script(const Request& request, Cores& cores, Runs& runs);
 Handled get_core_journal(const Request& request, Cores& cores, Runs& runs);
 void get_why(const Request& request, Respond respond, Cores& cores);
 void get_past(const Request& request, Respond respond, Cores& cores);
+Handled list_queue(const Request& request, RunQueue& queue);
+Handled create_queued_run(const Request& request, Documents& documents, Cores& cores, ManualControl& manual,
+                          RunQueue& queue);
+Handled resume_queue(const Request& request, RunQueue& queue);
+Handled get_queued_run(const Request& request, RunQueue& queue);
+Handled cancel_queued_run(const Request& request, RunQueue& queue);
 Handled list_runs(const Request& request, Runs& runs);
 void import_run(const Request& request, Respond respond, Runs& runs, Samples& samples, Pictures& pictures,
                 Worker& replays);

@@ -19,7 +19,7 @@ using Resources =
     std::tuple<Documents&, DocumentBreakpoints&, Editing&, BootList&, Backups&, Runs&, Samples&, Pictures&, Cores&,
                LiveEdits&, Worker&, Deadlines&, Pool&, Cell&, EventLog&, IdempotentAnswers&, Accounts&, Passwords&,
                Attempts&, Tickets&, AuditLog&, AuthorityCertificate&, Control&, CellStop&, Metrics&, ManualControl&,
-               Pairings&, NetworkAddresses&>;
+               Pairings&, NetworkAddresses&, RunQueue&>;
 
 struct Route {
   std::string_view method;

@@ -1,5 +1,4 @@
 // POST /api/v1/cores/{id}/start: a core begins, with other arguments than those of its creation if the body has some.
-#include "core/rcm/document.h"
 #include "server/execution/cores.h"
 #include "server/handlers/body.h"
 #include "server/handlers/handlers.h"
@@ -23,13 +22,7 @@ Checked<Body> read_start(const std::string& text) {
 // The document that the core executes, in the revision that it was created of.
 Checked<StoredDocument> document_of(const Core& core, Documents& documents) {
   const Value info = core.info();
-  const std::string& name = info.find("document")->as_string();
-  const std::int64_t revision = info.find("revision")->as_integer();
-  const auto entry = documents.entry(name, revision);
-  if (!entry) return tl::unexpected(entry.error());
-  auto document = rcm::read_document(entry->document);
-  if (!document) return tl::unexpected(std::move(document).error());
-  return StoredDocument{name, revision, std::move(*document)};
+  return documents.get(info.find("document")->as_string(), info.find("revision")->as_integer());
 }
 
 }  // namespace

@@ -85,9 +85,9 @@ Checked<std::vector<Revision>> Documents::list() {
   return std::move(found->revisions);
 }
 
-Checked<StoredDocument> Documents::get(const std::string& name) try {
+Checked<StoredDocument> Documents::get(const std::string& name, std::optional<std::int64_t> revision) try {
   const services::MutexLock lock(mutex_);
-  const auto found = find(name, {});
+  const auto found = find(name, revision);
   if (!found) return failed(found.error());
   auto document = rcm::read_document_text(found->text);
   if (!document) return tl::unexpected(std::move(document).error());

@@ -73,8 +73,8 @@ class Documents {
   Expected<DocumentHeads> heads(const std::string& after, std::int64_t most) EXCLUDES(mutex_);
   /// The same, or an error if one is damaged.
   Checked<std::vector<Revision>> list() EXCLUDES(mutex_);
-  /// The last revision, to be executed. `not_found`: there is none; every violation of a draft.
-  Checked<StoredDocument> get(const std::string& name) EXCLUDES(mutex_);
+  /// A revision, else the last one, to be executed. `not_found`: there is none; every violation of a draft.
+  Checked<StoredDocument> get(const std::string& name, std::optional<std::int64_t> revision = {}) EXCLUDES(mutex_);
   /// A revision, else the last one, to be edited. `not_found`: there is none; `json` and so on: what an older version
   /// of the program stored is no draft (document_text.h).
   Checked<DocumentEntry> entry(const std::string& name, std::optional<std::int64_t> revision = {}) EXCLUDES(mutex_);
