@@ -302,11 +302,10 @@ ChannelSources Application::channel_sources() {
 }
 
 Resources Application::resources() {
-  return {*documents_, *breakpoints_, *editing_,    *boot_list_, *backups_,  *runs_,    *samples_,
-          *pictures_,  *cores_,       *live_edits_, replays_,    deadlines_, restores_, *cell_,
-          *log_,       answers_,      *accounts_,   *passwords_, attempts_,  tickets_,  *audit_,
-          authority_,  *control_,     *cell_stop_,  *metrics_,   *manual_,   pairings_, addresses_,
-          *queue_};
+  return {*documents_, *breakpoints_, *editing_, *boot_list_, *backups_, *runs_,     *samples_, *pictures_,
+          *cores_,     *live_edits_,  replays_,  deadlines_,  restores_, *cell_,     *log_,     answers_,
+          *accounts_,  *passwords_,   attempts_, tickets_,    *audit_,   authority_, *control_, *cell_stop_,
+          *metrics_,   *manual_,      pairings_, addresses_,  *queue_,   tasks_};
 }
 
 }  // namespace race::server

@@ -36,6 +36,7 @@
 #include "server/handlers/idempotency.h"
 #include "server/handlers/network_addresses.h"
 #include "server/handlers/routes.h"
+#include "server/handlers/tasks.h"
 #include "server/http/listener.h"
 #include "server/log/event_log.h"
 #include "server/metrics/metrics.h"
@@ -149,6 +150,7 @@ class Application {
   Worker replays_{deadlines_};
   Pool restores_{1};  // of backups, which wait for cores and edits
   std::unique_ptr<Passwords> passwords_;
+  Tasks tasks_;
   IdempotentAnswers answers_;  // outlives the cores: some of what was asked of them may be dropped with them
   std::unique_ptr<Cell> cell_;
   std::unique_ptr<FlowChannels> flows_;

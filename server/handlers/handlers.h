@@ -44,6 +44,7 @@ class Pool;
 class RunQueue;
 class Runs;
 class Samples;
+class Tasks;
 class Tickets;
 class Worker;
 
@@ -142,6 +143,8 @@ Handled get_run_picture(const Request& request, Runs& runs, Pictures& pictures);
 Handled get_run_timing(const Request& request, Runs& runs, Cores& cores);
 Handled get_run_export(const Request& request, Runs& runs, Samples& samples, Pictures& pictures, Documents& documents);
 void compare_run(const Request& request, Respond respond, Runs& runs, Worker& replays);
+Handled get_task(const Request& request, Tasks& tasks);
+Handled cancel_task(const Request& request, Tasks& tasks);
 Handled get_cell(const Request& request, Cell& cell, Control& control);
 void get_person(const Request& request, Respond respond, Cell& cell, Deadlines& deadlines);
 void execute_person_command(const Request& request, Respond respond, Cell& cell, Deadlines& deadlines);

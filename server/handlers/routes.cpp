@@ -3,10 +3,13 @@
 #include <array>
 
 #include "core/value/json.h"
+#include "server/accounts/audit_log.h"
 #include "server/cell/cell.h"
 #include "server/handlers/idempotency.h"
+#include "server/handlers/tasks.h"
 #include "server/http/refusal.h"
 #include "server/log/event_log.h"
+#include "server/wire/calendar.h"
 #include "server/wire/path_pattern.h"
 
 namespace race::server {
@@ -33,7 +36,8 @@ struct Caller<handler> {
 template <auto handler>
 constexpr auto call = &Caller<handler>::call;
 
-constexpr bool kBody = true, kNoBody = false, kCreates = true;
+constexpr bool kBody = true, kNoBody = false, kCreates = true, kMakesNothing = false;
+constexpr auto kLong = Route::Long::yes, kStoppable = Route::Long::stoppable;
 
 constexpr std::array kRoutes = {
     Route{"GET", "/api/v1/health", call<get_health>},
@@ -74,10 +78,10 @@ constexpr std::array kRoutes = {
     Route{"GET", "/api/v1/documents/{name}/breakpoints", call<get_document_breakpoints>, kNoBody, "author"},
     Route{"PUT", "/api/v1/documents/{name}/breakpoints", call<put_document_breakpoints>, kBody, "author"},
     Route{"GET", "/api/v1/backups", call<list_backups>},
-    Route{"POST", "/api/v1/backups", call<create_backup>, kNoBody, "", kCreates},
+    Route{"POST", "/api/v1/backups", call<create_backup>, kNoBody, "", kCreates, kLong},
     Route{"GET", "/api/v1/backups/{name}", call<get_backup>},
     Route{"DELETE", "/api/v1/backups/{name}", call<delete_backup>},
-    Route{"POST", "/api/v1/backups/{name}/restore", call<restore_backup>},
+    Route{"POST", "/api/v1/backups/{name}/restore", call<restore_backup>, kNoBody, "", kMakesNothing, kLong},
     Route{"GET", "/api/v1/services", call<list_services>},
     Route{"POST", "/api/v1/services/{service}/calls", call<call_service>, kBody},
     Route{"GET", "/api/v1/cores", call<list_cores>},
@@ -108,7 +112,7 @@ constexpr std::array kRoutes = {
     Route{"GET", "/api/v1/queue/{id}", call<get_queued_run>},
     Route{"DELETE", "/api/v1/queue/{id}", call<cancel_queued_run>},
     Route{"GET", "/api/v1/runs", call<list_runs>, kNoBody, "document before limit"},
-    Route{"POST", "/api/v1/runs", call<import_run>, kBody, "", kCreates},
+    Route{"POST", "/api/v1/runs", call<import_run>, kBody, "", kCreates, kStoppable},
     Route{"GET", "/api/v1/runs/{run}", call<get_run>},
     Route{"DELETE", "/api/v1/runs/{run}", call<delete_run>},
     Route{"GET", "/api/v1/runs/{run}/native", call<get_run_native>},
@@ -123,6 +127,8 @@ constexpr std::array kRoutes = {
     Route{"GET", "/api/v1/runs/{run}/timing", call<get_run_timing>, kNoBody, "from to"},
     Route{"GET", "/api/v1/runs/{run}/export", call<get_run_export>},
     Route{"GET", "/api/v1/runs/{run}/compare", call<compare_run>, kNoBody, "with from"},
+    Route{"GET", "/api/v1/tasks/{id}", call<get_task>},
+    Route{"DELETE", "/api/v1/tasks/{id}", call<cancel_task>},
     Route{"GET", "/api/v1/boot", call<get_boot>},
     Route{"PUT", "/api/v1/boot", call<put_boot>, kBody},
     Route{"GET", "/api/v1/cell", call<get_cell>},
@@ -178,12 +184,37 @@ void call_handler(const Route& route, const Request& request, const Resources& r
       resources);
 }
 
+// Whoever prefers that is answered before the work is done.
+bool answers_before(const Route& route, const Request& request) {
+  return route.is_long != Route::Long::no && Tasks::is_preferred(request);
+}
+
+// Replies that it will be done, and does it. What drops the work ends the task: its Answer is replied 503.
+void begin_task(const Route& route, const Request& request, const Resources& resources, const TakeReply& reply) {
+  auto begun = std::get<Tasks&>(resources).begin(request, route.is_long == kStoppable);
+  if (!begun) return reply(refusal(std::vector<Error>{std::move(begun).error()}));
+  const std::string id = begun->find("id")->as_string();
+  const Answer done([resources, id, who = request.identity](const Reply& made) {
+    std::get<Tasks&>(resources).end(id, made);
+    std::get<AuditLog&>(resources).append(
+        {0, now_ms(), who.account, who.address, "task " + id, std::to_string(made.status)});
+  });
+  Reply accepted = ok(std::move(*begun));
+  accepted.status = 202;
+  accepted.headers = {{"Location", "/api/v1/tasks/" + id}, {"Preference-Applied", "respond-async"}};
+  reply(std::move(accepted));
+  call_handler(route, request, resources, done);
+}
+
 void call_route(const Route& route, const Request& request, const Resources& resources, const Answer& answer) {
   if (const auto unknown = unknown_parameters(route, request); !unknown.empty()) return answer(refusal(400, unknown));
   if (!route.has_body)
     if (const auto empty = check_empty(request.body); !empty) return answer(refusal(empty.error()));
-  if (!route.creates) return call_handler(route, request, resources, answer);
-  const auto make = [&](TakeReply reply) { call_handler(route, request, resources, std::move(reply)); };
+  const auto make = [&](TakeReply reply) {
+    if (answers_before(route, request)) return begin_task(route, request, resources, reply);
+    call_handler(route, request, resources, std::move(reply));
+  };
+  if (!route.creates) return make(answer);
   std::get<IdempotentAnswers&>(resources).answer(request, make, answer);
 }
 
@@ -210,6 +241,7 @@ void handle(Request request, const Resources& resources, const Answer& answer) {
       continue;
     }
     request.parameters = std::move(*parameters);
+    if (answers_before(route, request)) request.gone = std::make_shared<Stop>(false);  // its client may go
     return call_route(route, request, resources, answer);
   }
   if (allowed.empty()) return answer(refusal(404, "not_found", "there is no such route"));

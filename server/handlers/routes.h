@@ -3,6 +3,7 @@
 // Threads: any thread of the handlers' pool.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 #include <tuple>
@@ -19,7 +20,7 @@ using Resources =
     std::tuple<Documents&, DocumentBreakpoints&, Editing&, BootList&, Backups&, Runs&, Samples&, Pictures&, Cores&,
                LiveEdits&, Worker&, Deadlines&, Pool&, Cell&, EventLog&, IdempotentAnswers&, Accounts&, Passwords&,
                Attempts&, Tickets&, AuditLog&, AuthorityCertificate&, Control&, CellStop&, Metrics&, ManualControl&,
-               Pairings&, NetworkAddresses&, RunQueue&>;
+               Pairings&, NetworkAddresses&, RunQueue&, Tasks&>;
 
 struct Route {
   std::string_view method;
@@ -28,6 +29,9 @@ struct Route {
   bool has_body = false;        // which the handler reads; others take none, or an empty object
   std::string_view query = {};  // names of its parameters, between spaces
   bool creates = false;         // something each time, unless the request has an Idempotency-Key
+  /// Whether it may take long, so that its client may prefer to be answered before (tasks.h); `stoppable`: its work
+  /// looks at Request::gone.
+  enum class Long : std::uint8_t { no, yes, stoppable } is_long = Long::no;
 };
 
 /// All of them. The listener serves the WebSockets itself.

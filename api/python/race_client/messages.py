@@ -998,6 +998,45 @@ class PublishedFlowLast(TypedDict):
     header: Json
 
 
+class Queue(TypedDict):
+    """api/schemas/queue.json"""
+    waiting: int
+    runs: list[QueuedRun]
+    next: NotRequired[int]
+    paused: NotRequired[QueuePaused]
+
+
+class QueuePaused(TypedDict):
+    """a part of api/schemas/queue.json"""
+    reason: Literal['faulted', 'aborted', 'refused', 'stopped']
+    run: NotRequired[str]
+
+
+class QueuedRun(TypedDict):
+    """api/schemas/queued_run.json"""
+    id: str
+    name: NotRequired[str]
+    document: str
+    revision: int
+    arguments: dict[str, Json]
+    on_fault: Literal['stop', 'go_on']
+    by: str
+    status: Literal['waiting', 'running', 'ended', 'refused', 'cancelled']
+    core: NotRequired[str]
+    end: NotRequired[Literal['ended', 'faulted', 'aborted']]
+    outcome: NotRequired[str]
+    errors: NotRequired[list[ServerError]]
+    more_errors: NotRequired[Literal[True]]
+
+
+class QueuedRunCreate(TypedDict):
+    """api/schemas/queued_run_create.json"""
+    document: str
+    arguments: NotRequired[dict[str, Json]]
+    name: NotRequired[str]
+    on_fault: NotRequired[Literal['stop', 'go_on']]
+
+
 class RcmAction(TypedDict):
     """api/schemas/document.json#/$defs/rcm_action"""
     when: str
@@ -1532,6 +1571,18 @@ class SubscribedFlow(TypedDict):
     service: str
     flow: str
     listening: bool
+
+
+class Task(TypedDict):
+    """api/schemas/task.json"""
+    id: str
+    request: str
+    status: Literal['running', 'done', 'failed', 'cancelled']
+    code: NotRequired[int]
+    result: NotRequired[dict[str, Json]]
+    location: NotRequired[str]
+    errors: NotRequired[list[ServerError]]
+    more_errors: NotRequired[Literal[True]]
 
 
 class Ticket(TypedDict):

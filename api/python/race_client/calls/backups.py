@@ -12,13 +12,16 @@ def list_backups() -> Call[Backups]:
     return Call("GET", "/api/v1/backups")
 
 
-def create_backup(*, idempotency_key: str | None = None) -> Call[Backup]:
+def create_backup(*, idempotency_key: str | None = None, prefer: str | None = None) -> Call[Backup]:
     """Copies all that the server keeps, as it is now; runs go on meanwhile. At most 20 are kept.
 
     idempotency_key: Chosen by the client, another one for each request. A request that is sent again with its key is answered as
     the first time, with `Idempotency-Replayed: true`, and creates nothing more: also if the first answer was lost. Refused
     requests may be sent again. Another request with the key is refused with 422, one that comes while the first is under way with
     409 (`conflict`). The last 1000 answers are kept, while the server runs.
+
+    prefer: `respond-async` (RFC 7240): the request is answered 202 before its work is done, and GET /api/v1/tasks/{id} says what
+    it comes to. 503 (`unavailable`): the server works on 16 such requests already.
 
     409: There are 20 already, or the request of this Idempotency-Key is under way (`conflict`).
 
@@ -29,7 +32,7 @@ def create_backup(*, idempotency_key: str | None = None) -> Call[Backup]:
     507: The disk is full, fails or hangs (`storage`). Nothing is changed, or it is not known yet what is stored: then the run is
     interrupted. Ask again when it works.
     """
-    return Call("POST", "/api/v1/backups", headers={"Idempotency-Key": idempotency_key})
+    return Call("POST", "/api/v1/backups", headers={"Idempotency-Key": idempotency_key, "Prefer": prefer})
 
 
 def get_backup(name: str) -> Call[Backup]:
@@ -51,8 +54,11 @@ def delete_backup(name: str) -> Call[Backup]:
     return Call("DELETE", f"/api/v1/backups/{segment(name)}")
 
 
-def restore_backup(name: str) -> Call[Backup]:
+def restore_backup(name: str, *, prefer: str | None = None) -> Call[Backup]:
     """Makes all that the server keeps what it was then. Cores are removed.
+
+    prefer: `respond-async` (RFC 7240): the request is answered 202 before its work is done, and GET /api/v1/tasks/{id} says what
+    it comes to. 503 (`unavailable`): the server works on 16 such requests already.
 
     404: There is nothing of this name or number (`not_found`).
 
@@ -67,4 +73,4 @@ def restore_backup(name: str) -> Call[Backup]:
     507: The disk is full, fails or hangs (`storage`). Nothing is changed, or it is not known yet what is stored: then the run is
     interrupted. Ask again when it works.
     """
-    return Call("POST", f"/api/v1/backups/{segment(name)}/restore")
+    return Call("POST", f"/api/v1/backups/{segment(name)}/restore", headers={"Prefer": prefer})

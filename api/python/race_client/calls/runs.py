@@ -23,7 +23,7 @@ def list_runs(*, document: str | None = None, before: int | None = None, limit: 
     return Call("GET", "/api/v1/runs", query={"document": document, "before": before, "limit": limit})
 
 
-def import_run(body: RunFile, *, idempotency_key: str | None = None) -> Call[Run]:
+def import_run(body: RunFile, *, idempotency_key: str | None = None, prefer: str | None = None) -> Call[Run]:
     """Stores the file of a run, of this server or another one, under a new number.
 
     A file has at most 16 MiB and 642 levels, where other bodies have 4 MiB and 64. It is checked whole: its chain is computed
@@ -34,6 +34,9 @@ def import_run(body: RunFile, *, idempotency_key: str | None = None) -> Call[Run
     the first time, with `Idempotency-Replayed: true`, and creates nothing more: also if the first answer was lost. Refused
     requests may be sent again. Another request with the key is refused with 422, one that comes while the first is under way with
     409 (`conflict`). The last 1000 answers are kept, while the server runs.
+
+    prefer: `respond-async` (RFC 7240): the request is answered 202 before its work is done, and GET /api/v1/tasks/{id} says what
+    it comes to. 503 (`unavailable`): the server works on 16 such requests already.
 
     400: The body is no JSON or out of its limits (`json`, `too_deep`, `out_of_range`).
 
@@ -49,7 +52,7 @@ def import_run(body: RunFile, *, idempotency_key: str | None = None) -> Call[Run
     507: The disk is full, fails or hangs (`storage`). Nothing is changed, or it is not known yet what is stored: then the run is
     interrupted. Ask again when it works.
     """
-    return Call("POST", "/api/v1/runs", headers={"Idempotency-Key": idempotency_key}, body=body)
+    return Call("POST", "/api/v1/runs", headers={"Idempotency-Key": idempotency_key, "Prefer": prefer}, body=body)
 
 
 def get_run(run: str) -> Call[Run]:

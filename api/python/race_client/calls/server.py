@@ -1,6 +1,7 @@
 """Routes of api/openapi.yaml: server. Made by generate/main.py. The request filter of the server may also refuse each."""
-from ..call import Call
-from ..messages import Addresses, Audit, Boot, Empty, Health, Login, LoginAnswer, PairingCreate, PairingCreated, Rules, Ticket
+from ..call import Call, segment
+from ..messages import (Addresses, Audit, Boot, Empty, Health, Login, LoginAnswer, PairingCreate, PairingCreated, Rules, Task,
+                        Ticket)
 
 
 def get_health() -> Call[Health]:
@@ -126,6 +127,26 @@ def get_audit(*, before: int | None = None, limit: int | None = None) -> Call[Au
 def get_rules() -> Call[Rules]:
     """The rules of the semantics, in their order; every derivation names rules of this list."""
     return Call("GET", "/api/v1/rules")
+
+
+def get_task(id: str) -> Call[Task]:
+    """What a request comes to that was answered 202, before its work was done.
+
+    For who has sent the request, and admins. The last 100 are kept, while the server runs.
+
+    404: There is nothing of this name or number (`not_found`).
+    """
+    return Call("GET", f"/api/v1/tasks/{segment(id)}")
+
+
+def cancel_task(id: str) -> Call[Task]:
+    """Tells the work to stop. It may be done all the same.
+
+    404: There is nothing of this name or number (`not_found`).
+
+    409: It is over, or cannot be told to stop, as a backup and its restore (`conflict`).
+    """
+    return Call("DELETE", f"/api/v1/tasks/{segment(id)}")
 
 
 def get_boot() -> Call[Boot]:

@@ -1,0 +1,90 @@
+#include "server/handlers/tasks.h"
+
+#include <gmock/gmock.h>
+
+#include "server/http/refusal.h"
+
+namespace race::server {
+namespace {
+
+Request request_of(const std::string& account, const std::string& prefer = "") {
+  Request request;
+  request.method = "POST";
+  request.path = "/api/v1/backups";
+  request.identity = {account, Role::developer};
+  if (!prefer.empty()) request.headers.emplace_back("prefer", prefer);
+  return request;
+}
+
+std::string id_of(const Expected<Value>& task) { return task.value().find("id")->as_string(); }
+std::string status_of(const Expected<Value>& task) { return task.value().find("status")->as_string(); }
+
+TEST(Tasks, ArePreferredByWhoSaysSo) {
+  for (const char* prefer : {"respond-async", "wait=10, Respond-Async", "respond-async; foo=1"})
+    EXPECT_TRUE(Tasks::is_preferred(request_of("a", prefer))) << prefer;
+  for (const char* prefer : {"", "wait=10", "respond-asynchronously", "x=respond-async"})
+    EXPECT_FALSE(Tasks::is_preferred(request_of("a", prefer))) << prefer;
+}
+
+TEST(Tasks, SayWhatTheWorkHasComeTo) {
+  Tasks tasks;
+  const Identity who{"a", Role::developer};
+  const std::string good = id_of(tasks.begin(request_of("a"), false)), bad = id_of(tasks.begin(request_of("a"), false));
+  EXPECT_EQ(status_of(tasks.find(good, who)), "running");
+  Reply made;
+  made.status = 201;
+  made.body = Dict{{"name", "x"}};
+  made.headers.emplace_back("Location", "/api/v1/backups/x");
+  tasks.end(good, made);
+  const Value done = tasks.find(good, who).value();
+  EXPECT_EQ(done.find("status")->as_string(), "done");
+  EXPECT_EQ(done.find("code")->as_integer(), 201);
+  EXPECT_EQ(done.find("location")->as_string(), "/api/v1/backups/x");
+  EXPECT_EQ(*done.find("result"), made.body);
+  tasks.end(bad, refusal({Error{ErrorCode::conflict, "no", {}}}));
+  const Value failed = tasks.find(bad, who).value();
+  EXPECT_EQ(failed.find("status")->as_string(), "failed");
+  EXPECT_EQ(failed.find("code")->as_integer(), 409);
+  EXPECT_EQ(failed.find("errors")->as_list().front().find("code")->as_string(), "conflict");
+}
+
+TEST(Tasks, AreOfWhoHasAskedAndOfAdmins) {
+  Tasks tasks;
+  const std::string id = id_of(tasks.begin(request_of("a"), true));
+  EXPECT_EQ(tasks.find(id, {"b", Role::developer}).error().code, ErrorCode::not_found);
+  EXPECT_EQ(tasks.cancel(id, {"b", Role::developer}).error().code, ErrorCode::not_found);
+  EXPECT_TRUE(tasks.find(id, {"b", Role::admin}));
+}
+
+TEST(Tasks, AreToldToStopIfTheyCanBe) {
+  Tasks tasks;
+  const Identity who{"a", Role::developer};
+  const Request one = request_of("a"), other = request_of("a");
+  const std::string id = id_of(tasks.begin(one, true)), fixed = id_of(tasks.begin(other, false));
+  EXPECT_EQ(status_of(tasks.cancel(id, who)), "running");
+  EXPECT_TRUE(*one.gone);
+  EXPECT_EQ(tasks.cancel(fixed, who).error().code, ErrorCode::conflict);
+  EXPECT_FALSE(*other.gone);
+  tasks.end(id, refusal({Error{ErrorCode::unavailable, "stopped", {}}}));
+  EXPECT_EQ(status_of(tasks.find(id, who)), "cancelled");
+  EXPECT_EQ(tasks.cancel(id, who).error().code, ErrorCode::conflict);
+}
+
+TEST(Tasks, AreBounded) {
+  Tasks tasks;
+  const Identity who{"a", Role::developer};
+  std::vector<std::string> running;
+  for (std::size_t i = 0; i < Tasks::kMostRunning; ++i) running.push_back(id_of(tasks.begin(request_of("a"), false)));
+  EXPECT_EQ(tasks.begin(request_of("a"), false).error().code, ErrorCode::unavailable);
+  tasks.end(running.back(), Reply());
+  for (std::size_t i = 0; i < Tasks::kMost; ++i) {
+    const std::string id = id_of(tasks.begin(request_of("a"), false));
+    tasks.end(id, Reply());
+    EXPECT_TRUE(tasks.find(id, who));
+  }
+  EXPECT_EQ(tasks.find(running.back(), who).error().code, ErrorCode::not_found) << "the oldest that is over";
+  EXPECT_EQ(status_of(tasks.find(running.front(), who)), "running");
+}
+
+}  // namespace
+}  // namespace race::server
