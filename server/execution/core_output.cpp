@@ -53,7 +53,7 @@ void Core::emit(const Progress& progress) {
   const Value delta = execution_.is_watched() && !progress.edited ? delta_of(progress) : Value();
   const Value steps = progress.derivation ? steps_of(progress) : Value();
   const bool stands = paused_ || is_over();
-  const Value info = stands ? info_json() : Value();
+  const Value info = !delta.is_null() ? *delta.find("core") : stands ? info_json() : Value();
   const auto [first_print, first_call] = hold_many(progress);
   auto printed = part(progress.printed, first_print);
   auto calls = part(progress.calls, first_call);
@@ -64,7 +64,7 @@ void Core::emit(const Progress& progress) {
        steps, info, fence = fence_](const Error* failure) {
         if (failure) return;
         set_reached(reached);
-        if (!info.is_null()) keep_info(info);  // first: who hears of the end and asks at once is told of it, too
+        if (!info.is_null()) keep_info(info);  // first: who hears of something and asks at once is told no less
         for (const std::string& text : printed) resources_.watcher.printed(id_, text);
         make_calls(resources_.host, id_, fence, calls, over);
         if (!delta.is_null()) resources_.watcher.state_changed(id_, delta);
