@@ -220,9 +220,11 @@ awaitable<bool> serve_one(Client& client, Context& context, std::chrono::millise
   const bool urgent = is_urgent(*request);
   Identity identity = request->identity;
   Answered answered = co_await get_reply(std::move(*request), client, context);
-  if (answered.reply.events && !options.head)
+  if (answered.reply.events && !options.head) {
+    body = {};  // which is gone, while the answer may go on for days
     co_return co_await follow_channel(client, std::move(answered.reply), std::move(identity), parser.get().version(),
                                       context);
+  }
   Response response = co_await respond(std::move(answered), urgent, options, context);
   body = {};
   co_return co_await send_answer(client, std::move(response), context);

@@ -364,6 +364,16 @@ TEST_F(ListenerTest, EventsCountAsAWebSocket) {
   while (status != 101) status = connection()->ask(upgrade());
 }
 
+TEST_F(ListenerTest, EventsHoldNoBytesOfTheirRequest) {
+  serve({.held_bytes = 1'000'000});
+  const std::string body(600'000, ' ');
+  auto client = connection();
+  EXPECT_EQ(client->ask("GET /api/v1/events HTTP/1.1\r\n" + client->host() +
+                        "Content-Type: application/json\r\nContent-Length: 600000\r\n\r\n" + body),
+            200);
+  EXPECT_EQ(connection()->ask(header(600'000) + body), 200);
+}
+
 TEST_F(ListenerTest, EventsEndWithTheServer) {
   serve({});
   auto client = connection();
