@@ -48,14 +48,19 @@ Handled restore(const std::string& name, Backups& backups, Cores& cores, Editing
   const auto paused = editing.pause();
   if (!paused) return failed(paused.error());
   if (auto closed = cores.close_for_restore(); !closed) return failed(std::move(closed).error());
-  const auto restored = backups.restore(name, [&cores]() -> Expected<void> {
+  bool changes = false;
+  const auto begin = [&]() -> Expected<void> {
     for (const auto& core : cores.all())
       if (auto removed = cores.remove(core->id()); !removed) return tl::unexpected(std::move(removed).error());
+    changes = true;
     return {};
-  });
+  };
+  const auto restored = backups.restore(name, begin);
+  if (changes) {  // while no core can be created: what is queued is of a store that is no more
+    queue.cancel_all();
+    answers.clear();
+  }
   cores.reopen();
-  answers.clear();
-  queue.cancel_all();
   return answer_with(restored);
 }
 

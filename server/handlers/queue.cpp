@@ -61,11 +61,12 @@ Handled create_queued_run(const Request& request, Documents& documents, Cores& c
   if (!run) return tl::unexpected(std::move(run).error());
   const auto control = control_of(request, manual);
   if (!control) return failed(control.error());
+  const std::uint64_t restores = queue.restores();  // before the document is read
   const auto document = documents.get(run->document);
   if (!document) return tl::unexpected(document.error());
   if (const auto fits = cores.check(*document, run->arguments); !fits) return tl::unexpected(fits.error());
   const auto queued = queue.add({document->name, document->revision, std::move(run->arguments), std::move(run->name),
-                                 run->goes_on, request.identity, *control});
+                                 run->goes_on, request.identity, *control, restores});
   if (!queued) return failed(queued.error());
   return created(queued_run_json(*queued), "/api/v1/queue/" + std::to_string(queued->id));
 }

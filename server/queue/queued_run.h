@@ -22,6 +22,9 @@ struct QueuedTask {
   bool goes_on = false;       // the queue does not pause if the run faults
   Identity by = {};           // who wants it
   std::uint64_t control = 0;  // their number, if they have the controls (Control)
+  // How many backups had been restored before the document was read (RunQueue::restores): the revision is of that
+  // store.
+  std::uint64_t restores = 0;
 };
 
 struct QueuedRun {

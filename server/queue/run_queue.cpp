@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "services/failures.h"
+
 namespace race::server {
 
 using services::MutexLock;
@@ -11,6 +13,8 @@ namespace {
 
 Error not_queued(const std::string& id) { return {ErrorCode::not_found, "there is no queued run of this id", id}; }
 
+Error of_another_store() { return {ErrorCode::conflict, "a backup was restored meanwhile", {}}; }
+
 }  // namespace
 
 Expected<QueuedRun> RunQueue::add(QueuedTask task) {
@@ -18,11 +22,17 @@ Expected<QueuedRun> RunQueue::add(QueuedTask task) {
     return unexpected(ErrorCode::too_large, "the arguments of a queued run are too large", "arguments");
   task.arguments.freeze();
   const MutexLock lock(mutex_);
+  if (task.restores != restores_) return tl::unexpected(of_another_store());
   if (count(QueuedStatus::waiting) >= kMostWaiting)
     return unexpected(ErrorCode::conflict, std::to_string(kMostWaiting) + " runs wait already");
   runs_.push_back({.id = ++last_id_, .task = std::move(task)});
   post_next();
   return runs_.back();
+}
+
+std::uint64_t RunQueue::restores() const {
+  const MutexLock lock(mutex_);
+  return restores_;
 }
 
 RunQueue::Entries::const_iterator RunQueue::find_run(const std::string& id) const {
@@ -90,16 +100,20 @@ void RunQueue::forget_oldest() {
 }
 
 void RunQueue::begin_next() {
-  auto next = take_next();
-  if (!next) return;
-  auto core = create_core(next->task);
-  if (!core) return refuse(*next, std::move(core).error());
-  set_core((*core)->id());
+  const auto next = take_next();
+  if (!next || services::run_reporting("a queued run", [&] { begin(*next); })) return;
+  refuse(*next, {{ErrorCode::unavailable, "the server failed to begin it; see its log", {}}});
+}
+
+void RunQueue::begin(const QueuedRun& run) {
+  auto core = create_core(run.task);
+  if (!core) return refuse(run, std::move(core).error());
+  if (!set_core(*core)) return give_up(run, *core, of_another_store());
   (*core)->start(
-      [this, run = *next, core = *core](const Expected<Value>& started) {
+      [this, run, core = *core](const Expected<Value>& started) {
         pool_.post([this, run, core, started] { begun(run, core, started); });
       },
-      Supervision{next->task.control, std::nullopt});
+      Supervision{run.task.control, std::nullopt});
 }
 
 std::optional<QueuedRun> RunQueue::take_next() {
@@ -128,23 +142,34 @@ Checked<std::shared_ptr<Core>> RunQueue::create_core(const QueuedTask& task) {
   return cores_.create(*document, task.arguments);
 }
 
-void RunQueue::set_core(const std::string& core) {
+bool RunQueue::set_core(const std::shared_ptr<Core>& core) {
   const MutexLock lock(mutex_);
-  if (QueuedRun* run = current()) run->core = core;
+  QueuedRun* run = current();
+  if (!run || run->task.restores != restores_) return false;
+  run->core = core->id();
+  core_ = core;
+  return true;
 }
 
 // A core that is not `ready` has begun, whatever the answer: it keeps its place until it is over.
 void RunQueue::begun(const QueuedRun& run, const std::shared_ptr<Core>& core, const Expected<Value>& started) {
   if (started || core->info().find("status")->as_string() != "ready") return record(run, "core " + core->id());
-  refuse(run, {started.error()});
+  give_up(run, core, started.error());
+}
+
+// Its core, which has not begun, goes.
+void RunQueue::give_up(const QueuedRun& run, const std::shared_ptr<Core>& core, Error why) {
+  refuse(run, {std::move(why)});
   cores_.remove(core->id(), [](const Expected<std::shared_ptr<Core>>&) {});
 }
 
 void RunQueue::refuse(const QueuedRun& run, std::vector<Error> errors) {
   record(run, std::string(name(errors.front().code)));
+  std::shared_ptr<Core> dropped;  // after the lock
   const MutexLock lock(mutex_);
   QueuedRun* refused = current();
   if (!refused || refused->id != run.id) return;
+  dropped = std::move(core_);
   refused->status = QueuedStatus::refused;
   refused->errors = std::move(errors);
   refused->core.clear();
@@ -157,13 +182,19 @@ void RunQueue::record(const QueuedRun& run, std::string outcome) {
   records_.record(run.task.by, "queue start " + std::to_string(run.id), std::move(outcome));
 }
 
+// One that is removed may have ended before, without that having been told.
 void RunQueue::core_changed(const std::string& id, const Value& core) {
+  std::shared_ptr<Core> dropped;  // after the lock
   const MutexLock lock(mutex_);
   QueuedRun* run = current();
-  if (!run || run->core != id || !(core.is_null() || is_over(core))) return;
+  if (!run || !core_ || core_->id() != id) return;
+  const Value last = core.is_null() ? core_->info() : core;
+  const bool has_ended = is_over(last);
+  if (!core.is_null() && !has_ended) return;
+  dropped = std::move(core_);
   run->status = QueuedStatus::ended;
-  run->end = core.is_null() ? "aborted" : core.find("status")->as_string();
-  if (const Value* outcome = core.is_null() ? nullptr : core.find("outcome")) run->outcome = outcome->as_string();
+  run->end = has_ended ? last.find("status")->as_string() : "aborted";
+  if (const Value* outcome = has_ended ? last.find("outcome") : nullptr) run->outcome = outcome->as_string();
   if (run->end == "aborted" || (run->end == "faulted" && !run->task.goes_on))
     pause_ = Pause{run->end, std::to_string(run->id)};
   current_ = 0;
@@ -173,6 +204,7 @@ void RunQueue::core_changed(const std::string& id, const Value& core) {
 
 void RunQueue::cancel_all() {
   const MutexLock lock(mutex_);
+  ++restores_;
   for (QueuedRun& run : runs_)
     if (run.status == QueuedStatus::waiting) run.status = QueuedStatus::cancelled;
   forget_oldest();

@@ -34,9 +34,12 @@ class RunQueue {
   RunQueue(const Control& control, Documents& documents, Cores& cores, ClientRecords& records)
       : control_(control), documents_(documents), cores_(cores), records_(records) {}
 
-  /// Queues a run; it begins at once if none is before it. Errors: `conflict`: kMostWaiting wait; `too_large`:
-  /// kMostArgumentUnits. Its document, revision and arguments were checked (Cores::check).
+  /// Queues a run; it begins at once if none is before it. Errors: `conflict`: kMostWaiting wait, or a backup was
+  /// restored since restores() was asked for the task; `too_large`: kMostArgumentUnits. Its document, revision and
+  /// arguments were checked (Cores::check).
   Expected<QueuedRun> add(QueuedTask task) EXCLUDES(mutex_);
+  /// How often the store has become another one.
+  std::uint64_t restores() const EXCLUDES(mutex_);
   /// `not_found`: there is none of this id, or it was long ago.
   Expected<QueuedRun> find(const std::string& id) const EXCLUDES(mutex_);
   /// One that waits never begins. Errors: `not_found`; `conflict`: it does not wait.
@@ -48,7 +51,8 @@ class RunQueue {
 
   /// A core has changed (schemas/core.json) or, null, was removed. Quick.
   void core_changed(const std::string& id, const Value& core) EXCLUDES(mutex_);
-  /// All that waits is cancelled: the store has become another one.
+  /// All that waits is cancelled, and what is being begun is refused: the store has become another one. To be called
+  /// while no core can be created.
   void cancel_all() EXCLUDES(mutex_);
   /// Nothing begins any more: the server ends. Waits for nothing.
   void close() EXCLUDES(mutex_);
@@ -71,10 +75,12 @@ class RunQueue {
   }
   void begin_next();
   std::optional<QueuedRun> take_next() EXCLUDES(mutex_);
+  void begin(const QueuedRun& run);
   Checked<std::shared_ptr<Core>> create_core(const QueuedTask& task);
-  /// The core of the run that is being begun.
-  void set_core(const std::string& core) EXCLUDES(mutex_);
+  /// The core of the run that is being begun. False: it is of a store that is no more.
+  bool set_core(const std::shared_ptr<Core>& core) EXCLUDES(mutex_);
   void begun(const QueuedRun& run, const std::shared_ptr<Core>& core, const Expected<Value>& started);
+  void give_up(const QueuedRun& run, const std::shared_ptr<Core>& core, Error why);
   void refuse(const QueuedRun& run, std::vector<Error> errors) EXCLUDES(mutex_);
   void record(const QueuedRun& run, std::string outcome);
 
@@ -85,7 +91,9 @@ class RunQueue {
   mutable services::Mutex mutex_;    // the control's may be taken under it
   Entries runs_ GUARDED_BY(mutex_);  // in order of their ids
   std::int64_t last_id_ GUARDED_BY(mutex_) = 0;
-  std::int64_t current_ GUARDED_BY(mutex_) = 0;  // that runs, or is being begun; 0: none
+  std::int64_t current_ GUARDED_BY(mutex_) = 0;    // that runs, or is being begun; 0: none
+  std::shared_ptr<Core> core_ GUARDED_BY(mutex_);  // its core; empty: none yet
+  std::uint64_t restores_ GUARDED_BY(mutex_) = 0;
   std::optional<Pause> pause_ GUARDED_BY(mutex_);
   bool closed_ GUARDED_BY(mutex_) = false;
   Pool pool_{1, 0, "queue"};  // ends first

@@ -171,10 +171,15 @@ class Restart(QueueCase):
             self.server.put("/documents/short", models.ticking("short", last=2), "document_entry")
             backup = self.server.post("/backups", None, "backup", 201)
             self.server.post("/stop", None, "control")
-            first = self.queued("short")
+            status, first = self.queue("short", key="once")
+            self.assertEqual(status, 201)
             self.until_paused()
+            self.server.expect("POST", "/backups/20200101T000000.000Z/restore", None, None, 404)
+            self.assertEqual(self.run_of(first["id"])["status"], "waiting")
+            self.assertEqual(self.queue("short", key="once")[1]["id"], first["id"])
             self.server.post(f"/backups/{backup['name']}/restore", None, "backup")
-            self.assertEqual(self.run_of(first)["status"], "cancelled")
+            self.assertEqual(self.run_of(first["id"])["status"], "cancelled")
+            self.assertNotEqual(self.queue("short", key="once")[1]["id"], first["id"])
 
 
 class Persons(QueueCase):
@@ -211,6 +216,7 @@ class Persons(QueueCase):
             self.assertEqual(self.server.ask("observer", "GET", "/api/v1/queue"), 200)
             self.assertEqual(self.server.ask("operator", "POST", "/api/v1/queue", {"document": "long"}), 201)
             self.assertEqual(self.server.ask("operator", "POST", "/api/v1/queue", {"document": "short"}), 201)
+            self.assertEqual(self.server.ask("developer", "POST", "/api/v1/queue", {"document": "short"}), 201)
             first = self.until("1", "running")
             self.server.wait_for(lambda: "core" in self.run_of("1"))
             self.assertEqual(first["by"], "operator")
@@ -219,6 +225,9 @@ class Persons(QueueCase):
             self.until_paused()
             self.resume()
             self.assertEqual(self.until("2", *ENDED)["errors"][0]["code"], "rights")
+            self.server.put("/accounts/developer", {"role": "operator"}, "account")  # who still may, and is another
+            self.resume()
+            self.assertEqual(self.until("3", *ENDED)["errors"][0]["code"], "rights")
             rows = [(row["account"], row["action"], row["outcome"]) for row in self.server.get("/audit", "audit")["entries"]]
             self.assertIn(("operator", "queue start 2", "rights"), rows)
 

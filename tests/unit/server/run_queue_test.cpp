@@ -2,7 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <atomic>
 #include <functional>
+#include <new>
 
 #include "tests/unit/server/running_cores.h"
 
@@ -13,7 +15,10 @@ using testing::ElementsAre;
 
 // Everybody stays who they are until a test says otherwise.
 struct Records final : ClientRecords {
-  bool is_current(const Identity&) const override { return current; }
+  bool is_current(const Identity&) const override {
+    when_asked();
+    return current;
+  }
   void record(const Identity& identity, std::string action, std::string outcome) override {
     const services::MutexLock lock(mutex);
     rows.push_back(identity.account + ": " + action + ": " + outcome);
@@ -24,6 +29,7 @@ struct Records final : ClientRecords {
     return rows;
   }
   std::atomic<bool> current{true};
+  std::function<void()> when_asked = [] {};  // on the thread of the queue, before a core is made; set while it rests
   services::Mutex mutex;
   std::vector<std::string> rows GUARDED_BY(mutex);
 };
@@ -38,7 +44,9 @@ struct RunQueueTest : RunningCores {
     queue.end();
     RunningCores::TearDown();
   }
-  void core_changed(const std::string& id, Value core) override { queue.core_changed(id, core); }
+  void core_changed(const std::string& id, Value core) override {
+    if (tells) queue.core_changed(id, core);
+  }
   void core_removed(const std::string& id) override { queue.core_changed(id, Value()); }
 
   void put(const std::string& name, const std::string& root) {
@@ -91,6 +99,7 @@ struct RunQueueTest : RunningCores {
     return core;
   }
 
+  std::atomic<bool> tells{true};  // the queue of changes, but for removals
   std::unique_ptr<Documents> documents = Documents::open(store.folder.store()).value();
   Control control{[](const Value&) {}};
   Records records;
@@ -136,6 +145,27 @@ TEST_F(RunQueueTest, ACoreThatIsRemovedIsAnAbort) {
   ASSERT_TRUE(cores.remove(core_of(first)->id()));
   until([&] { return !paused().empty(); });
   EXPECT_THAT(runs(), ElementsAre("waits ended aborted", "ends waiting"));
+}
+
+TEST_F(RunQueueTest, ACoreThatIsRemovedBeforeItsEndIsToldHasEndedAsItHas) {
+  const std::string first = add("waits");
+  const auto core = core_of(first);
+  tells = false;
+  EXPECT_TRUE(core->stop());
+  EXPECT_EQ(runs().front(), "waits running");
+  const std::string second = add("ends");
+  ASSERT_TRUE(cores.remove(core->id()));
+  EXPECT_EQ(paused(), "aborted " + first);
+  EXPECT_TRUE(queue.resume());
+  std::shared_ptr<Core> ended;
+  until([&] {
+    const auto found = cores.find(queue.find(second).value().core);
+    if (found) ended = *found;
+    return ended && is_over(ended->info());
+  });
+  ASSERT_TRUE(cores.remove(ended->id()));
+  EXPECT_EQ(runs().back(), "ends ended ended done");
+  EXPECT_EQ(paused(), "");
 }
 
 TEST_F(RunQueueTest, APausedRunKeepsItsPlace) {
@@ -195,6 +225,43 @@ TEST_F(RunQueueTest, TheRevisionIsThatOfThen) {
   EXPECT_TRUE(queue.resume());
   until([&] { return queue.find(second).value().status == QueuedStatus::ended; });
   EXPECT_EQ(queue.find(second).value().outcome, "done");
+}
+
+TEST_F(RunQueueTest, WhatIsOfAStoreThatIsNoMoreNeverBegins) {
+  const std::string first = add("waits");
+  const auto core = core_of(first);
+  add("ends");
+  QueuedTask early = task("ends");
+  early.restores = queue.restores();
+  queue.cancel_all();  // as a restore does
+  EXPECT_EQ(queue.add(early).error().code, ErrorCode::conflict);
+  EXPECT_THAT(runs(), ElementsAre("waits running", "ends cancelled"));
+  early.restores = queue.restores();
+  EXPECT_TRUE(queue.add(early));
+  EXPECT_TRUE(core->stop());
+  until([&] { return !paused().empty(); });
+  EXPECT_TRUE(queue.resume());
+  until([&] { return runs().back() == "ends ended ended done"; });
+}
+
+TEST_F(RunQueueTest, WhatIsBeingBegunWhenTheStoreBecomesAnotherIsRefusedAndLeavesNoCore) {
+  records.when_asked = [this] { queue.cancel_all(); };
+  const std::string first = add("ends");
+  until([&] { return !paused().empty(); });
+  EXPECT_EQ(paused(), "refused " + first);
+  EXPECT_THAT(runs(), ElementsAre("ends refused conflict"));
+  until([&] { return cores.all().empty(); });
+}
+
+TEST_F(RunQueueTest, OneThatCannotBeBegunKeepsNobodyFromTheirTurn) {
+  records.when_asked = [] { throw std::bad_alloc(); };
+  add("ends");
+  until([&] { return !paused().empty(); });
+  EXPECT_THAT(runs(), ElementsAre("ends refused unavailable"));
+  records.when_asked = [] {};
+  add("ends");
+  EXPECT_TRUE(queue.resume());
+  until([&] { return runs().back() == "ends ended ended done"; });
 }
 
 TEST_F(RunQueueTest, OneThatWaitsIsCancelled) {

@@ -35,7 +35,8 @@ def queue_run(body: QueuedRunCreate, *, idempotency_key: str | None = None, race
 
     404: No such document (`not_found`).
 
-    409: 100 runs wait already (`conflict`), or who sends it has the controls no more (`leased`).
+    409: 100 runs wait already, or a backup was restored meanwhile (`conflict`); or who sends it has the controls no more
+    (`leased`).
 
     413: `too_large`: the arguments or the name.
 
