@@ -3,6 +3,7 @@
 #include <SQLiteCpp/Backup.h>
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Exception.h>
+#include <SQLiteCpp/Transaction.h>
 #include <sqlite3.h>
 
 #include <algorithm>
@@ -37,6 +38,8 @@ namespace fs = std::filesystem;
 constexpr const char* kDigests = "digests.json";
 constexpr std::string_view kStore = "race.sqlite";
 constexpr const char* kRestore = "restore";  // copies that are being brought back
+constexpr int kPagesAtOnce = 256;            // of a copy, between two looks at who waits for it
+constexpr std::uint64_t kPasses = 3;         // how often a file is gone through, by a backup and by its restore
 
 struct StoredFile {
   const char* name;
@@ -55,38 +58,74 @@ tl::unexpected<Error> cannot(const std::string& what, const fs::filesystem_error
   return unexpected(ErrorCode::storage, what + ": " + error.code().message(), error.path1());
 }
 
-/// Makes `to` what `from` is, in one transaction of `to`. A writer may hold `to` for a moment.
-Expected<void> copy(SQLite::Database& from, SQLite::Database& to) {
+/// Error `unavailable`: nobody waits any more.
+Expected<void> unless_stopped(const Stop* stop) {
+  if (stop && *stop) return unexpected(ErrorCode::unavailable, "the server ends");
+  return {};
+}
+
+/// 0: it is not there, or does not say.
+std::uint64_t bytes_of(const fs::path& file) {
+  std::error_code unknown;
+  const std::uintmax_t bytes = fs::file_size(file, unknown);
+  return unknown ? 0 : bytes;
+}
+
+/// Of the files in a folder, each as often as it is gone through.
+WorkParts parts_of(const fs::path& folder, WorkProgress* progress) {
+  std::uint64_t bytes = 0;
+  for (const StoredFile& file : kFiles) bytes += bytes_of(folder / file.name);
+  return {progress, kPasses * bytes, "bytes"};
+}
+
+/// Makes `to` what `from` is now, in one transaction of `to`. A writer may hold `to` for a moment.
+Expected<void> copy(SQLite::Database& from, SQLite::Database& to, const WorkPart& part, const Stop* stop) {
+  // What others write to `from` meanwhile is not seen; else the copy would begin anew with each change.
+  const SQLite::Transaction reading(from);
+  from.execAndGet("SELECT count(*) FROM sqlite_schema");
   SQLite::Backup backup(to, from);
-  for (int tries = 0; tries < 250; ++tries) {
-    if (backup.executeStep(-1) == SQLITE_DONE) return {};
+  for (int tries = 0; tries < 250;) {
+    const int result = backup.executeStep(kPagesAtOnce);
+    const int pages = backup.getTotalPageCount();
+    part.reach(static_cast<std::uint64_t>(pages - backup.getRemainingPageCount()), static_cast<std::uint64_t>(pages));
+    if (result == SQLITE_DONE) return {};
+    if (auto wanted = unless_stopped(stop); !wanted) return wanted;
+    if (result == SQLITE_OK) continue;
+    ++tries;
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
   return unexpected(ErrorCode::unavailable, "the file is in use", to.getFilename());
 }
 
-/// A file that is alone all there is: without a log.
-Expected<void> copy_whole(const fs::path& from, const fs::path& to) try {
+/// A file that is alone all there is, without a log: copied and checked, which are parts of so many bytes each.
+Expected<void> copy_whole(const fs::path& from, const fs::path& to, std::uint64_t bytes, WorkParts& parts,
+                          const Stop* stop) try {
   const auto source = sqlite::open(from);
   const auto copied = sqlite::open(to);
-  if (auto done = copy(*source, *copied); !done) return done;
+  if (auto done = copy(*source, *copied, parts.next(bytes), stop); !done) return done;
   copied->exec("PRAGMA journal_mode = DELETE");
-  return sqlite::check(*copied);
+  if (auto sound = sqlite::check(*copied); !sound) return sound;
+  parts.next(bytes).finish();
+  return unless_stopped(stop);
 } catch (const SQLite::Exception& exception) {
   return cannot("cannot copy", exception, from);
 }
 
-Expected<std::string> digest_of(const fs::path& path) {
-  ASSIGN_OR_RETURN(const sqlite::Digest digest, sqlite::sha256_of_file(path));
+Expected<std::string> digest_of(const fs::path& path, const WorkPart& part) {
+  const std::uint64_t bytes = bytes_of(path);
+  ASSIGN_OR_RETURN(const sqlite::Digest digest,
+                   sqlite::sha256_of_file(path, [&](std::uint64_t read) { part.reach(read, bytes); }));
   return sqlite::hex(digest);
 }
 
-Expected<void> copy_all(const fs::path& data, const fs::path& to) {
+Expected<void> copy_all(const fs::path& data, const fs::path& to, const Stop* stop, WorkProgress* progress) {
+  WorkParts parts = parts_of(data, progress);
   Dict digests;
   for (const StoredFile& file : kFiles) {
     if (!fs::exists(data / file.name)) continue;
-    if (auto done = copy_whole(data / file.name, to / file.name); !done) return done;
-    ASSIGN_OR_RETURN(std::string digest, digest_of(to / file.name));
+    const std::uint64_t bytes = bytes_of(data / file.name);
+    if (auto done = copy_whole(data / file.name, to / file.name, bytes, parts, stop); !done) return done;
+    ASSIGN_OR_RETURN(std::string digest, digest_of(to / file.name, parts.next(bytes)));
     digests.set(file.name, std::move(digest));
   }
   if (auto written = write_durably(to / kDigests, to_json(Value(std::move(digests)))); !written) return written;
@@ -94,7 +133,7 @@ Expected<void> copy_all(const fs::path& data, const fs::path& to) {
 }
 
 /// The names of the files in a copy, each held against its digest.
-Expected<std::vector<StoredFile>> sound_files(const fs::path& from) {
+Expected<std::vector<StoredFile>> sound_files(const fs::path& from, WorkParts& parts) {
   const auto damaged = [&](const std::string& message) { return unexpected(ErrorCode::corrupt, message, from); };
   ASSIGN_OR_RETURN(const std::string text, read_file(from / kDigests));
   const auto digests = parse_json(text);
@@ -103,7 +142,7 @@ Expected<std::vector<StoredFile>> sound_files(const fs::path& from) {
   for (const StoredFile& file : kFiles) {
     const Value* expected = digests->as_dict().find(file.name);
     if (!expected && !fs::exists(from / file.name)) continue;
-    ASSIGN_OR_RETURN(std::string digest, digest_of(from / file.name));
+    ASSIGN_OR_RETURN(std::string digest, digest_of(from / file.name, parts.next(bytes_of(from / file.name))));
     if (!expected || *expected != Value(digest)) return damaged("the backup is damaged: " + std::string(file.name));
     files.push_back(file);
   }
@@ -143,12 +182,13 @@ void raise_numbers(SQLite::Database& store, RunId last) {
 
 /// Makes the file of the data folder what the copy is. Runs that are created later have numbers after `last_run`, and
 /// after that of a run that is created until now: other writers wait.
-Expected<void> replace(const fs::path& copied, const fs::path& data, const StoredFile& file, RunId last_run) try {
+Expected<void> replace(const fs::path& copied, const fs::path& data, const StoredFile& file, RunId last_run,
+                       const WorkPart& part) try {
   const auto source = sqlite::open(copied / file.name);
   const auto live = sqlite::open(data / file.name);
   const sqlite::WriteTurn turn(*live);
   if (file.name == kStore) raise_numbers(*source, std::max(last_run, last_number_in(data / file.name)));
-  return copy(*source, *live);
+  return copy(*source, *live, part, nullptr);
 } catch (const SQLite::Exception& exception) {
   return cannot("cannot restore", exception, data / file.name);
 }
@@ -178,7 +218,7 @@ std::optional<std::int64_t> time_of(const std::string& name) {
 
 }  // namespace
 
-Expected<void> copy_files(const fs::path& data, const fs::path& to) try {
+Expected<void> copy_files(const fs::path& data, const fs::path& to, const Stop* stop, WorkProgress* progress) try {
   if (!fs::exists(data / kStore)) return unexpected(ErrorCode::not_found, "holds no store", data);
   if (fs::exists(to)) return unexpected(ErrorCode::conflict, "is there already", to);
   fs::path whole = fs::absolute(to).lexically_normal();
@@ -186,24 +226,31 @@ Expected<void> copy_files(const fs::path& data, const fs::path& to) try {
   fs::create_directories(whole.parent_path());
   UnfinishedFolder::remove_abandoned(whole.parent_path(), whole.filename());
   ASSIGN_OR_RETURN(UnfinishedFolder beside, UnfinishedFolder::create(whole));
-  if (auto done = copy_all(data, beside.path()); !done) return done;
+  if (auto done = copy_all(data, beside.path(), stop, progress); !done) return done;
   return beside.finish();
 } catch (const fs::filesystem_error& error) {
   return cannot("cannot write the backup", error);
 }
 
 // Values first: what a crash leaves between the files can be brought back once more.
-Expected<void> restore_files(const fs::path& from, const fs::path& data,
-                             const std::function<Expected<void>()>& begin) try {
-  ASSIGN_OR_RETURN(const std::vector<StoredFile> files, sound_files(from));
+Expected<void> restore_files(const fs::path& from, const fs::path& data, const std::function<Expected<void>()>& begin,
+                             const Stop* stop, WorkProgress* progress) try {
+  WorkParts parts = parts_of(from, progress);
+  ASSIGN_OR_RETURN(const std::vector<StoredFile> files, sound_files(from, parts));
   UnfinishedFolder::remove_abandoned(data, kRestore);
   ASSIGN_OR_RETURN(const UnfinishedFolder copies, UnfinishedFolder::create(fs::absolute(data) / kRestore));
-  for (const StoredFile& file : files)
+  for (const StoredFile& file : files) {
+    if (auto wanted = unless_stopped(stop); !wanted) return wanted;
     if (auto done = prepare(from, copies.path(), file); !done) return done;
+    parts.next(bytes_of(from / file.name)).finish();
+  }
   const RunId last_run = last_number_in(data / kStore);  // before it may be set aside
+  if (auto wanted = unless_stopped(stop); !wanted) return wanted;
   if (auto done = begin(); !done) return done;
-  for (auto file = files.rbegin(); file != files.rend(); ++file)
-    if (auto done = replace(copies.path(), data, *file, last_run); !done) return done;
+  for (auto file = files.rbegin(); file != files.rend(); ++file) {
+    const WorkPart part = parts.next(bytes_of(from / file->name));
+    if (auto done = replace(copies.path(), data, *file, last_run, part); !done) return done;
+  }
   return {};
 } catch (const fs::filesystem_error& error) {
   return cannot("cannot restore", error);
@@ -222,13 +269,14 @@ Backups::Backups(fs::path data, Users users)
   UnfinishedFolder::remove_abandoned(folder_);
 }
 
-Expected<Backup> Backups::create(std::int64_t now_ms) try {
+Expected<Backup> Backups::create(std::int64_t now_ms, WorkProgress* progress) try {
   const services::MutexLock lock(mutex_);
   if (all().size() >= kMost)
     return unexpected(ErrorCode::conflict, "there are " + std::to_string(kMost) + " backups; remove one");
   fs::create_directories(folder_);
   const std::string name = name_of(now_ms);
-  if (auto done = copy_files(data_, folder_ / name); !done) return tl::unexpected(std::move(done).error());
+  if (auto done = copy_files(data_, folder_ / name, &stop_, progress); !done)
+    return tl::unexpected(std::move(done).error());
   return find(name);
 } catch (const fs::filesystem_error& error) {
   return cannot("cannot write the backup", error);
@@ -248,7 +296,8 @@ Expected<Backup> Backups::remove(const std::string& name) try {
   return cannot("cannot remove the backup", error);
 }
 
-Expected<Backup> Backups::restore(const std::string& name, const std::function<Expected<void>()>& begin) try {
+Expected<Backup> Backups::restore(const std::string& name, const std::function<Expected<void>()>& begin,
+                                  WorkProgress* progress) try {
   const services::MutexLock lock(mutex_);
   ASSIGN_OR_RETURN(Backup backup, find(name));
   const auto ready = [&] {
@@ -256,7 +305,8 @@ Expected<Backup> Backups::restore(const std::string& name, const std::function<E
     if (done) users_.flush();
     return done;
   };
-  if (auto done = restore_files(folder_ / name, data_, ready); !done) return tl::unexpected(std::move(done).error());
+  if (auto done = restore_files(folder_ / name, data_, ready, &stop_, progress); !done)
+    return tl::unexpected(std::move(done).error());
   if (auto done = users_.restored(); !done) return tl::unexpected(std::move(done).error());
   return backup;
 } catch (const fs::filesystem_error& error) {

@@ -7,7 +7,7 @@
 // A backup appears whole or not at all: it is written beside, synchronised and renamed. race.sqlite is copied first:
 // values of the database may be newer than the journals of runs that go on meanwhile.
 //
-// Threads: any. One at a time makes, removes or brings back; list() waits for none of them.
+// Threads: any. One at a time makes, removes or brings back; list() and find() wait for none of them.
 #pragma once
 
 #include <cstdint>
@@ -19,6 +19,8 @@
 
 #include "core/value/expected.h"
 #include "core/value/value.h"
+#include "server/threads/stop.h"
+#include "server/threads/work_progress.h"
 #include "services/mutex.h"
 
 namespace race::server {
@@ -44,10 +46,12 @@ class Backups {
   explicit Backups(std::filesystem::path data, Users users);
   explicit Backups(std::filesystem::path data) : Backups(std::move(data), Users{}) {}
 
-  // Errors of all: `storage`, `io`, `corrupt`.
+  // Errors of all: `storage`, `io`, `corrupt`. A WorkProgress, which may be null, counts bytes of the files, each as
+  // often as it is gone through (copy_files, restore_files).
 
-  /// Copies everything as it is now. Error `conflict`: there are kMost already, or one of this millisecond.
-  Expected<Backup> create(std::int64_t now_ms) EXCLUDES(mutex_);
+  /// Copies everything as it is now. Errors: `conflict`: there are kMost already, or one of this millisecond;
+  /// `unavailable`: stop().
+  Expected<Backup> create(std::int64_t now_ms, WorkProgress* progress = nullptr) EXCLUDES(mutex_);
   /// Those that are whole, in order of time; also while one is being made.
   Expected<std::vector<Backup>> list() const;
   /// `not_found`
@@ -57,24 +61,35 @@ class Backups {
   /// Makes the files what they were, and each in one transaction: who has them open sees the old content or the new.
   /// Requires that no run goes on. `begin` is called before anything is changed, when the backup is known to be sound;
   /// its error ends it. Errors, with nothing changed: `not_found`; `corrupt` (the backup is damaged); `version` (a
-  /// newer version of the program made it). If the disk fails between the two files, one is restored: restore again.
-  Expected<Backup> restore(const std::string& name, const std::function<Expected<void>()>& begin) EXCLUDES(mutex_);
+  /// newer version of the program made it); `unavailable` (stop(), before `begin`). If the disk fails between the two
+  /// files, one is restored: restore again.
+  Expected<Backup> restore(const std::string& name, const std::function<Expected<void>()>& begin,
+                           WorkProgress* progress = nullptr) EXCLUDES(mutex_);
+  /// What is being made, or is made later, ends soon, and so does what is brought back and has changed nothing yet: the
+  /// server ends.
+  void stop() { stop_ = true; }
 
  private:
   std::vector<Backup> all() const;
 
   const std::filesystem::path data_, folder_;
   const Users users_;
+  Stop stop_{false};
   services::Mutex mutex_;
 };
 
-/// Copies the files of the data folder into `to`, a folder that is not there yet, while a server may write. Errors:
-/// `conflict` (there is something), `not_found` (no store in `data`), `storage`, `io`, `corrupt`.
-Expected<void> copy_files(const std::filesystem::path& data, const std::filesystem::path& to);
-/// Brings the files of a copy back into `data`, as Backups::restore. Runs that are created later have numbers after the
+/// Copies the files of the data folder into `to`, a folder that is not there yet, while a server may write. Each file
+/// is gone through three times: copied, checked, and read for its digest. Errors: `conflict` (there is something),
+/// `not_found` (no store in `data`), `storage`, `io`, `corrupt`; `unavailable`: somebody has set `stop`, which may be
+/// null, meanwhile: nothing is left of it.
+Expected<void> copy_files(const std::filesystem::path& data, const std::filesystem::path& to,
+                          const Stop* stop = nullptr, WorkProgress* progress = nullptr);
+/// Brings the files of a copy back into `data`, as Backups::restore. Each is gone through three times: held against its
+/// digest, brought to today's form beside, and put in its place. Runs that are created later have numbers after the
 /// last one of the store that is replaced, if it can be read (run_numbers.h).
 Expected<void> restore_files(const std::filesystem::path& from, const std::filesystem::path& data,
-                             const std::function<Expected<void>()>& begin);
+                             const std::function<Expected<void>()>& begin, const Stop* stop = nullptr,
+                             WorkProgress* progress = nullptr);
 
 /// Renames files of `data` that are damaged (`corrupt`) to NAME.damaged-TIME, with their logs, so that those of the
 /// copy `from` can take their place; others are left alone. Requires that nobody has them open. Errors: `storage`,

@@ -31,15 +31,18 @@ Digest sha256_of(std::initializer_list<std::string_view> fields) {
   return digest;
 }
 
-Expected<Digest> sha256_of_file(const std::string& path) {
+Expected<Digest> sha256_of_file(const std::string& path, const std::function<void(std::uint64_t)>& read) {
   std::ifstream stream(path, std::ios::binary);
   crypto_hash_sha256_state state;
   crypto_hash_sha256_init(&state);
   std::array<char, 65536> part;
+  std::uint64_t bytes = 0;
   while (stream) {
     stream.read(part.data(), part.size());
-    crypto_hash_sha256_update(&state, reinterpret_cast<const unsigned char*>(part.data()),
-                              static_cast<std::uint64_t>(stream.gcount()));
+    const auto count = static_cast<std::uint64_t>(stream.gcount());
+    crypto_hash_sha256_update(&state, reinterpret_cast<const unsigned char*>(part.data()), count);
+    bytes += count;
+    if (read) read(bytes);
   }
   if (!stream.is_open() || stream.bad()) return unexpected(ErrorCode::io, "cannot be read", path);
   Digest digest;

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -20,8 +22,9 @@ Digest sha256(std::string_view text);
 /// of fields have the same bytes.
 Digest sha256_of(std::initializer_list<std::string_view> fields);
 
-/// Of the content of a file. Error `io`, with the path: it cannot be read.
-Expected<Digest> sha256_of_file(const std::string& path);
+/// Of the content of a file; `read`, unless it is empty, hears now and then how many bytes were read. Error `io`, with
+/// the path: it cannot be read.
+Expected<Digest> sha256_of_file(const std::string& path, const std::function<void(std::uint64_t)>& read = {});
 
 /// The 32 bytes, as a field of sha256_of and as a blob.
 std::string_view bytes(const Digest& digest);

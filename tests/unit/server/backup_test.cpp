@@ -4,6 +4,7 @@
 #include <SQLiteCpp/Database.h>
 #include <gmock/gmock.h>
 
+#include <atomic>
 #include <fstream>
 #include <future>
 #include <thread>
@@ -39,6 +40,11 @@ struct BackupTest : testing::Test {
 
   database::Store values() const { return database::Store::open(data / "database.sqlite").value(); }
   void put(const char* key, int value) const { ASSERT_TRUE(values().put(key, value)); }
+  void fill(int mebibytes) const {
+    auto store = values();
+    for (int i = 0; i < mebibytes; ++i)
+      ASSERT_TRUE(store.put("large" + std::to_string(i), std::string(std::size_t{1} << 20U, 'x')));
+  }
   Value get(const char* key) const { return values().get(key).value_or(Value()); }
   std::vector<std::string> files_of_backups() const {
     std::vector<std::string> names;
@@ -165,6 +171,107 @@ TEST_F(BackupTest, IsOfOneMomentWhileValuesAreWritten) {
     const std::int64_t behind = first.as_integer() - (second == Value() ? -1 : second.as_integer());
     EXPECT_TRUE(behind == 0 || behind == 1) << behind;
   }
+}
+
+TEST_F(BackupTest, IsMadeWhileAWriterNeverPauses) {
+  fill(8);  // many times as much as is copied at once
+  std::atomic<bool> stop{false};
+  std::atomic<int> written{0};
+  std::jthread writer([&] {
+    auto store = values();
+    for (; !stop; ++written) EXPECT_TRUE(store.put("x", written.load()));
+  });
+  while (written == 0) std::this_thread::yield();
+  const auto backup = backups.create(kTime);
+  stop = true;
+  writer.join();
+  EXPECT_TRUE(backup) << to_string(backup.error());
+}
+
+/// What is seen of some work by who looks at it again and again.
+class Onlooker {
+ public:
+  explicit Onlooker(const WorkProgress& progress)
+      : thread_([this, &progress] {
+          while (!stop_) {
+            look(progress);
+            std::this_thread::yield();
+          }
+          look(progress);
+        }) {}
+  ~Onlooker() { seen(); }
+  Onlooker(const Onlooker&) = delete;
+  Onlooker& operator=(const Onlooker&) = delete;
+  const std::vector<WorkProgress::State>& seen() {
+    stop_ = true;
+    if (thread_.joinable()) thread_.join();
+    return seen_;
+  }
+
+ private:
+  void look(const WorkProgress& progress) {
+    const auto state = progress.state();
+    if (state && (seen_.empty() || seen_.back().done != state->done)) seen_.push_back(*state);
+  }
+  std::atomic<bool> stop_{false};
+  std::vector<WorkProgress::State> seen_;
+  std::thread thread_;
+};
+
+/// Whether the work was seen on its way: within the first of three times that it goes through the files, and the last.
+bool is_on_its_way(const std::vector<WorkProgress::State>& seen) {
+  bool first = false, last = false;
+  std::uint64_t before = 0;
+  for (const auto& [done, total, unit] : seen) {
+    EXPECT_GE(done, before);
+    EXPECT_EQ(total, seen.front().total);
+    EXPECT_STREQ(unit, "bytes");
+    first = first || (0 < done && done < total / 3);
+    last = last || (total / 3 * 2 < done && done < total);
+    before = done;
+  }
+  EXPECT_EQ(before, seen.front().total);
+  return first && last;
+}
+
+TEST_F(BackupTest, SaysHowFarItIsAndSoDoesItsRestore) {
+  constexpr int kTries = 10;  // who looks may be too late, but not each time
+  fill(16);
+  bool making = false, restoring = false;
+  for (int tries = 0; tries < kTries && !(making && restoring); ++tries) {
+    WorkProgress made, restored;
+    Onlooker at_backup(made);
+    const auto backup = backups.create(kTime + tries, &made);
+    ASSERT_TRUE(backup);
+    making = is_on_its_way(at_backup.seen()) || making;
+    Onlooker at_restore(restored);
+    ASSERT_TRUE(backups.restore(backup->name, nothing, &restored));
+    restoring = is_on_its_way(at_restore.seen()) || restoring;
+  }
+  EXPECT_TRUE(making);
+  EXPECT_TRUE(restoring);
+}
+
+TEST_F(BackupTest, HasTwoThirdsOfItsRestoreBehindItWhenItBegins) {
+  put("x", 1);
+  ASSERT_TRUE(backups.create(kTime));
+  WorkProgress progress;
+  ASSERT_TRUE(backups.restore(
+      kName,
+      [&] {
+        EXPECT_EQ(progress.state()->done, progress.state()->total / 3 * 2);
+        return nothing();
+      },
+      &progress));
+  EXPECT_EQ(progress.state()->done, progress.state()->total);
+}
+
+TEST_F(BackupTest, EndsWithTheServerAndLeavesNothing) {
+  ASSERT_TRUE(backups.create(kTime));
+  backups.stop();
+  EXPECT_EQ(backups.create(kTime + 1).error().code, ErrorCode::unavailable);
+  EXPECT_THAT(files_of_backups(), ElementsAre(kName));
+  EXPECT_EQ(backups.restore(kName, never).error().code, ErrorCode::unavailable);
 }
 
 TEST_F(BackupTest, ThatCannotBeWrittenLeavesNothing) {

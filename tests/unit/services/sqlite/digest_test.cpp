@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <vector>
 
 #include "tests/unit/temporary_folder.h"
 
@@ -33,7 +34,10 @@ TEST(Sha256, OfAFileIsThatOfItsContent) {
   const TemporaryFolder folder;
   const std::string text(200'000, 'a');
   std::ofstream(folder.file("text")) << text;
-  EXPECT_EQ(sha256_of_file(folder.file("text")).value(), sha256(text));
+  std::vector<std::uint64_t> read;
+  EXPECT_EQ(sha256_of_file(folder.file("text"), [&](std::uint64_t bytes) { read.push_back(bytes); }).value(),
+            sha256(text));
+  EXPECT_EQ(read, (std::vector<std::uint64_t>{65'536, 131'072, 196'608, 200'000}));
   EXPECT_EQ(sha256_of_file(folder.file("other")).error().code, ErrorCode::io);
 }
 
