@@ -19,9 +19,9 @@ struct SoundFile {
   std::map<std::uint64_t, std::string> checkpoints;
 };
 
-Checked<SoundFile> read(const std::string& text, const Stop& stop) {
+Checked<SoundFile> read(const std::string& text, const Stop& stop, WorkProgress* progress) {
   SoundFile sound;
-  auto file = read_run_file_text(text, &sound.checkpoints, &stop);
+  auto file = read_run_file_text(text, &sound.checkpoints, &stop, progress);
   if (!file) return tl::unexpected(std::move(file).error());
   sound.file = std::move(*file);
   return sound;
@@ -33,10 +33,11 @@ Handled refuse(const std::vector<Error>& errors) {
   return refusal(422, errors);
 }
 
-Handled store(const SoundFile& sound, Runs& runs, Samples& samples, Pictures& pictures) {
+Handled store(const SoundFile& sound, WorkProgress* progress, Runs& runs, Samples& samples, Pictures& pictures) {
   const auto& [file, checkpoints] = sound;
   const Runs::NewRun run{file.record.document, file.record.revision, file.journal.header, file.services};
-  const auto record = runs.import(file.record, run, file.journal.entries, checkpoints, file.timing);
+  const auto record =
+      runs.import(file.record, run, file.journal.entries, checkpoints, file.timing, part_of_storing(progress, file));
   if (!record) return failed(record.error());
   auto stored = samples.append(record->id, file.samples);
   if (stored) stored = pictures.append(record->id, file.pictures);
@@ -52,9 +53,11 @@ Handled store(const SoundFile& sound, Runs& runs, Samples& samples, Pictures& pi
 void import_run(const Request& request, Respond respond, Runs& runs, Samples& samples, Pictures& pictures,
                 Worker& replays) {
   replays.ask<SoundFile, std::vector<Error>>(
-      [text = request.body](const Stop& stop) { return read(text, stop); }, kReplayLimit, request.gone,
-      [respond = std::move(respond), &runs, &samples, &pictures](const Checked<SoundFile>& sound) {
-        respond(sound ? store(*sound, runs, samples, pictures) : refuse(sound.error()));
+      [text = request.body, progress = request.progress](const Stop& stop) { return read(text, stop, progress.get()); },
+      kReplayLimit, request.gone,
+      [respond = std::move(respond), progress = request.progress, &runs, &samples,
+       &pictures](const Checked<SoundFile>& sound) {
+        respond(sound ? store(*sound, progress.get(), runs, samples, pictures) : refuse(sound.error()));
       });
 }
 

@@ -13,6 +13,7 @@
 #include "core/value/value.h"
 #include "server/accounts/role.h"
 #include "server/threads/stop.h"
+#include "server/threads/work_progress.h"
 #include "server/wire/path_pattern.h"
 
 namespace race::server {
@@ -28,6 +29,8 @@ struct Request {
   Identity identity;      // who sends it; before it is admitted, its address alone
   /// Whether the client has closed the connection before it is answered, or its half of it: for what takes long.
   SharedStop gone = std::make_shared<Stop>(false);
+  /// How far what is asked for has come; empty: nobody asks for that meanwhile.
+  SharedWorkProgress progress = {};
 
   /// The header, empty if it is absent.
   std::string_view header(std::string_view name) const;

@@ -224,8 +224,10 @@ Expected<void> check_outcome(const execution::Execution& execution, RunRecord& r
 
 /// Does the run again; every so many macro steps, a checkpoint.
 Expected<void> check_replay(RunFile& file, std::map<std::uint64_t, std::string>* checkpoints,
-                            const std::atomic<bool>* stop) {
+                            const std::atomic<bool>* stop, WorkProgress* progress) {
   const std::uint64_t steps = file.journal.entries.size();
+  if (progress) progress->begin(2 * steps, "entries");  // part_of_storing() is the other half
+  const WorkPart done_again(progress, 0, steps);
   const std::uint64_t interval = std::max(kCheckpointInterval, steps / kMostCheckpoints + 1);
   execution::JournalHeader header = file.journal.header;
   header.budgets.evaluation.stop = stop;
@@ -242,6 +244,7 @@ Expected<void> check_replay(RunFile& file, std::map<std::uint64_t, std::string>*
       return unexpected(ErrorCode::too_large,
                         "the run has more than " + std::to_string(kMostMicroSteps) + " micro steps", "journal");
     const std::uint64_t position = walk.execution().run().position();
+    done_again.reach(position, steps);
     if (checkpoints && position % interval == 0 && !walk.execution().is_over()) {
       std::string text = to_json(execution::checkpoint_json(walk.execution()));
       if (text.size() <= RunJournal::kCheckpointBytes) checkpoints->emplace(position, std::move(text));
@@ -252,7 +255,7 @@ Expected<void> check_replay(RunFile& file, std::map<std::uint64_t, std::string>*
 
 /// The record against the journal.
 Expected<void> check(RunFile& file, const std::string& chain, std::map<std::uint64_t, std::string>* checkpoints,
-                     const std::atomic<bool>* stop) {
+                     const std::atomic<bool>* stop, WorkProgress* progress) {
   const execution::Journal& journal = file.journal;
   if (file.record.steps != journal.entries.size())
     return corrupt("the journal has " + std::to_string(journal.entries.size()) + " entries", "run/steps");
@@ -262,7 +265,7 @@ Expected<void> check(RunFile& file, const std::string& chain, std::map<std::uint
   for (const execution::JournalEntry& entry : journal.entries) ours = chain_after(ours, input_text(entry));
   if (sqlite::hex(ours) != chain) return corrupt("the chain is not that of the journal", "run/chain");
   if (auto within = check_budgets(journal.header.budgets); !within) return within;
-  return check_replay(file, checkpoints, stop);
+  return check_replay(file, checkpoints, stop, progress);
 }
 
 }  // namespace
@@ -308,14 +311,14 @@ Expected<std::string> write_run_file(const RunFile& file) {
 bool is_run_file(const Value& json) { return json.find("journal") != nullptr || json.find("run") != nullptr; }
 
 Checked<RunFile> read_run_file_text(std::string_view text, std::map<std::uint64_t, std::string>* checkpoints,
-                                    const std::atomic<bool>* stop) {
+                                    const std::atomic<bool>* stop, WorkProgress* progress) {
   auto json = parse_json(text, kRunFileLimits);
   if (!json) return one(std::move(json).error());
-  return read_run_file(*json, checkpoints, stop);
+  return read_run_file(*json, checkpoints, stop, progress);
 }
 
 Checked<RunFile> read_run_file(const Value& json, std::map<std::uint64_t, std::string>* checkpoints,
-                               const std::atomic<bool>* stop) {
+                               const std::atomic<bool>* stop, WorkProgress* progress) {
   Errors errors;
   RunFile file;
   Fields fields(json, "", "the file of a run", errors, kByField);
@@ -343,7 +346,7 @@ Checked<RunFile> read_run_file(const Value& json, std::map<std::uint64_t, std::s
       append_below(errors, std::move(read).error(), "journal");
   }
   if (!errors.empty()) return tl::unexpected(std::move(errors));
-  if (auto checked = check(file, chain, checkpoints, stop); !checked) return one(std::move(checked).error());
+  if (auto checked = check(file, chain, checkpoints, stop, progress); !checked) return one(std::move(checked).error());
   return file;
 }
 

@@ -18,6 +18,7 @@
 #include "server/store/pictures.h"
 #include "server/store/runs.h"
 #include "server/store/samples.h"
+#include "server/threads/work_progress.h"
 
 namespace race::server {
 
@@ -61,14 +62,19 @@ Expected<std::string> write_run_file(const RunFile& file);
 /// what the journal comes to when it is done again. Errors, with paths: `json`, `too_large`, `too_deep`, `version`;
 /// those of Fields, execution::read_journal (below `journal`), the document, the RSMs; `corrupt`: the chain or what
 /// the run came to is another; `conflict`: an entry that the run does not take; `unavailable`: somebody has set `stop`
-/// (which may be null) meanwhile. `checkpoints`: some on the way, as Runs::import takes them.
+/// (which may be null) meanwhile. `checkpoints`: some on the way, as Runs::import takes them. `progress`, which may be
+/// null, counts entries of the journal, each when it is done again and once more when it is stored.
 Checked<RunFile> read_run_file_text(std::string_view text, std::map<std::uint64_t, std::string>* checkpoints = nullptr,
-                                    const std::atomic<bool>* stop = nullptr);
+                                    const std::atomic<bool>* stop = nullptr, WorkProgress* progress = nullptr);
+/// The part of that progress which is left for Runs::import.
+inline WorkPart part_of_storing(WorkProgress* progress, const RunFile& file) {
+  return {progress, file.record.steps, file.record.steps};
+}
 
 /// Whether a parsed text is the file of a run, not a journal alone.
 bool is_run_file(const Value& json);
 /// As read_run_file_text, of a text as parse_json gives it with kRunFileLimits.
 Checked<RunFile> read_run_file(const Value& json, std::map<std::uint64_t, std::string>* checkpoints = nullptr,
-                               const std::atomic<bool>* stop = nullptr);
+                               const std::atomic<bool>* stop = nullptr, WorkProgress* progress = nullptr);
 
 }  // namespace race::server

@@ -33,7 +33,7 @@ struct Runs::Import {
 Expected<RunRecord> Runs::import(RunRecord record, const NewRun& run,
                                  const std::vector<execution::JournalEntry>& entries,
                                  const std::map<std::uint64_t, std::string>& checkpoints,
-                                 const std::vector<TimingBlock>& timing) {
+                                 const std::vector<TimingBlock>& timing, const WorkPart& stored) {
   Import import{.record = std::move(record), .texts = {}, .entries = {}, .checkpoints = {}, .timing = {}};
   import.texts = describe(run, import.record);
   import.record.imported = true;
@@ -46,9 +46,9 @@ Expected<RunRecord> Runs::import(RunRecord record, const NewRun& run,
     import.record.bytes += text.size();
     import.checkpoints.push_back(checkpoint_row(import.record.id, position, text));
   }
-  if (auto stored = store(import); !stored) {
+  if (auto done = store(import, stored); !done) {
     std::ignore = remove_rest(import.record.id);  // else when the store is opened
-    return tl::unexpected(std::move(stored).error());
+    return tl::unexpected(std::move(done).error());
   }
   std::function<void()> imported;
   {
@@ -59,7 +59,7 @@ Expected<RunRecord> Runs::import(RunRecord record, const NewRun& run,
   return std::move(import.record);
 }
 
-Expected<void> Runs::store(Import& import) {
+Expected<void> Runs::store(Import& import, const WorkPart& stored) {
   const RunRecord& run = import.record;
   std::span<const EntryRow> entries = import.entries;
   Expected<void> done;
@@ -69,6 +69,7 @@ Expected<void> Runs::store(Import& import) {
     done = continue_import(run.id, [&](Statements& statements) {
       for (const EntryRow& row : block) write_entry(statements, run.id, row);
     });
+    if (done) stored.reach(import.entries.size() - entries.size(), import.entries.size());
   }
   for (const CheckpointRow& row : import.checkpoints)
     if (done) done = continue_import(run.id, [&](Statements& to) { write_checkpoint(to, run.id, row); });

@@ -21,6 +21,7 @@
 #include "core/value/expected.h"
 #include "server/store/statements.h"
 #include "server/store/timing.h"
+#include "server/threads/work_progress.h"
 #include "services/mutex.h"
 #include "services/sqlite/digest.h"
 
@@ -89,11 +90,11 @@ class Runs {
   Expected<RunRecord> replace(RunId id, const NewRun& run) EXCLUDES(mutex_);
   /// An executed run, whole: checked before by execution::read_journal. Gets a new number. `checkpoints`: position ->
   /// text; `timing`: what is known of its times. Stored in short transactions, between which others write; the run is
-  /// there after the last one. What a failure leaves is removed when the store is opened. Error `conflict`: a backup
-  /// was restored meanwhile.
+  /// there after the last one. What a failure leaves is removed when the store is opened. `stored` is how many of the
+  /// entries are. Error `conflict`: a backup was restored meanwhile.
   Expected<RunRecord> import(RunRecord record, const NewRun& run, const std::vector<execution::JournalEntry>& entries,
                              const std::map<std::uint64_t, std::string>& checkpoints = {},
-                             const std::vector<TimingBlock>& timing = {}) EXCLUDES(mutex_);
+                             const std::vector<TimingBlock>& timing = {}, const WorkPart& stored = {}) EXCLUDES(mutex_);
   /// `imported` is called after each import, on its thread; nothing: nobody. Not during an import.
   void on_import(std::function<void()> imported) EXCLUDES(mutex_);
 
@@ -139,7 +140,7 @@ class Runs {
  private:
   explicit Runs(std::unique_ptr<SQLite::Database> file);
   struct Import;  // run_import.cpp
-  Expected<void> store(Import& import) EXCLUDES(mutex_);
+  Expected<void> store(Import& import, const WorkPart& stored) EXCLUDES(mutex_);
   Expected<RunId> begin_import() EXCLUDES(mutex_);
   Expected<void> continue_import(RunId id, const std::function<void(Statements&)>& write) EXCLUDES(mutex_);
   Expected<void> remove_rest(RunId id) EXCLUDES(mutex_);

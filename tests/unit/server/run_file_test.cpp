@@ -4,6 +4,9 @@
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Statement.h>
 
+#include <atomic>
+#include <thread>
+
 #include "core/execution/step_json.h"
 #include "core/value/json.h"
 #include "server/runs/run_json.h"
@@ -96,6 +99,28 @@ TEST(RunFiles, AreReadAsTheyWereWritten) {
     ASSERT_EQ(read->samples.size(), 1u);
     EXPECT_EQ(read->samples[0].pose, file.samples[0].pose);
   }
+}
+
+TEST(RunFiles, SayHowManyEntriesWereDoneAgain) {
+  constexpr int kTries = 20;  // who looks may be too late, but not each time
+  const std::string text = write_run_file(file_of(counting(std::vector<int>(3000, 0)))).value();
+  bool on_its_way = false;
+  for (int tries = 0; tries < kTries && !on_its_way; ++tries) {
+    WorkProgress progress;
+    std::atomic<bool> over{false};
+    std::thread onlooker([&] {
+      while (!over) {
+        const auto state = progress.state();
+        on_its_way = on_its_way || (state && 0 < state->done && state->done < 3001);
+      }
+    });
+    EXPECT_TRUE(read_run_file_text(text, nullptr, nullptr, &progress));
+    over = true;
+    onlooker.join();
+    EXPECT_EQ(progress.state()->done, 3001U);
+    EXPECT_EQ(progress.state()->total, 2 * 3001U) << "they are to be stored, too";
+  }
+  EXPECT_TRUE(on_its_way);
 }
 
 TEST(RunFiles, HoldTheRecordAgainstTheJournal) {

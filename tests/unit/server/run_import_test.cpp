@@ -77,6 +77,31 @@ class Observer {
   std::thread thread_;
 };
 
+TEST_F(RunImport, SaysHowManyEntriesAreStored) {
+  const auto runs = open();
+  const auto journal = blocks(8);
+  const std::uint64_t all = journal.entries.size();
+  bool on_its_way = false;
+  for (int tries = 0; tries < kTries && !on_its_way; ++tries) {
+    WorkProgress progress;
+    progress.begin(2 * all, "entries");
+    std::atomic<bool> over{false};
+    std::thread onlooker([&] {
+      while (!over) {
+        const std::uint64_t done = progress.state()->done;
+        on_its_way = on_its_way || (all < done && done < 2 * all);
+      }
+    });
+    RunRecord record;
+    record.status = "aborted";
+    EXPECT_TRUE(runs->import(record, run_of(journal), journal.entries, {}, {}, {&progress, all, all}));
+    over = true;
+    onlooker.join();
+    EXPECT_EQ(progress.state()->done, 2 * all);
+  }
+  EXPECT_TRUE(on_its_way);
+}
+
 TEST_F(RunImport, LetsOthersWriteBetweenItsTransactions) {
   const auto runs = open();
   const auto journal = blocks(8);
