@@ -215,6 +215,8 @@ Application::~Application() {
   if (cell_stop_) cell_stop_->end();
   if (queue_) queue_->end();
   if (cores_) cores_->close();
+  if (backups_) backups_->stop();
+  restores_.drop();
   restores_.end();  // one that is under way waits for the cores
   // What is asked is answered by nobody from here on, and what it would use may go.
   passwords_.reset();

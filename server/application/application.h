@@ -148,7 +148,7 @@ class Application {
   MemoryReturn memory_return_;
   Deadlines deadlines_;
   Worker replays_{deadlines_};
-  Pool restores_{1};  // of backups, which wait for cores and edits
+  Pool restores_{1};  // and backups: one at a time; restores wait for cores and edits
   std::unique_ptr<Passwords> passwords_;
   Tasks tasks_;
   IdempotentAnswers answers_;  // outlives the cores: some of what was asked of them may be dropped with them

@@ -1,4 +1,5 @@
-// GET and POST /api/v1/backups, GET and DELETE /api/v1/backups/{name}, POST /api/v1/backups/{name}/restore.
+// GET and POST /api/v1/backups, GET and DELETE /api/v1/backups/{name}, POST /api/v1/backups/{name}/restore. One at a
+// time is made, removed or brought back, on a thread of their own: no handler waits for another.
 #include "server/editing/editing.h"
 #include "server/execution/cores.h"
 #include "server/handlers/handlers.h"
@@ -26,25 +27,29 @@ Handled list_backups(const Request&, Backups& backups) {
   return ok(Dict{{"backups", std::move(list)}});
 }
 
-Handled create_backup(const Request&, Backups& backups) {
-  const auto backup = backups.create(now_ms());
-  if (!backup) return failed(backup.error());
-  return created(backup_json(*backup), "/api/v1/backups/" + backup->name);
+void create_backup(const Request& request, Respond respond, Backups& backups, Pool& restores) {
+  restores.post([&backups, progress = request.progress, respond = std::move(respond)] {
+    const auto backup = backups.create(now_ms(), progress.get());
+    if (!backup) return respond(failed(backup.error()));
+    respond(created(backup_json(*backup), "/api/v1/backups/" + backup->name));
+  });
 }
 
 Handled get_backup(const Request& request, Backups& backups) {
   return answer_with(backups.find(request.parameters.at("name")));
 }
 
-Handled delete_backup(const Request& request, Backups& backups) {
-  return answer_with(backups.remove(request.parameters.at("name")));
+void delete_backup(const Request& request, Respond respond, Backups& backups, Pool& restores) {
+  restores.post([&backups, name = request.parameters.at("name"), respond = std::move(respond)] {
+    respond(answer_with(backups.remove(name)));
+  });
 }
 
 namespace {
 
 // Cores that are over or have not begun go: the store of that time knows others. Waits for them, and for edits.
-Handled restore(const std::string& name, Backups& backups, Cores& cores, Editing& editing, IdempotentAnswers& answers,
-                RunQueue& queue) {
+Handled restore(const std::string& name, WorkProgress* progress, Backups& backups, Cores& cores, Editing& editing,
+                IdempotentAnswers& answers, RunQueue& queue) {
   const auto paused = editing.pause();
   if (!paused) return failed(paused.error());
   if (auto closed = cores.close_for_restore(); !closed) return failed(std::move(closed).error());
@@ -55,7 +60,7 @@ Handled restore(const std::string& name, Backups& backups, Cores& cores, Editing
     changes = true;
     return {};
   };
-  const auto restored = backups.restore(name, begin);
+  const auto restored = backups.restore(name, begin, progress);
   if (changes) {  // while no core can be created: what is queued is of a store that is no more
     queue.cancel_all();
     answers.clear();
@@ -68,8 +73,8 @@ Handled restore(const std::string& name, Backups& backups, Cores& cores, Editing
 
 void restore_backup(const Request& request, Respond respond, Backups& backups, Cores& cores, Editing& editing,
                     IdempotentAnswers& answers, RunQueue& queue, Pool& restores) {
-  restores.post([&, name = request.parameters.at("name"), respond = std::move(respond)] {
-    respond(restore(name, backups, cores, editing, answers, queue));
+  restores.post([&, name = request.parameters.at("name"), progress = request.progress, respond = std::move(respond)] {
+    respond(restore(name, progress.get(), backups, cores, editing, answers, queue));
   });
 }
 

@@ -92,8 +92,8 @@ Handled get_document_breakpoints(const Request& request, DocumentBreakpoints& br
 Handled put_document_breakpoints(const Request& request, DocumentBreakpoints& breakpoints);
 Handled list_backups(const Request& request, Backups& backups);
 Handled get_backup(const Request& request, Backups& backups);
-Handled create_backup(const Request& request, Backups& backups);
-Handled delete_backup(const Request& request, Backups& backups);
+void create_backup(const Request& request, Respond respond, Backups& backups, Pool& restores);
+void delete_backup(const Request& request, Respond respond, Backups& backups, Pool& restores);
 void restore_backup(const Request& request, Respond respond, Backups& backups, Cores& cores, Editing& editing,
                     IdempotentAnswers& answers, RunQueue& queue, Pool& restores);
 Handled list_services(const Request& request, Cell& cell);

@@ -15,7 +15,7 @@ namespace race::server {
 
 class EventLog;
 
-/// What handlers use; each gets those that are its parameters. The pool is that of restores.
+/// What handlers use; each gets those that are its parameters. The pool is that of backups and their restores.
 using Resources =
     std::tuple<Documents&, DocumentBreakpoints&, Editing&, BootList&, Backups&, Runs&, Samples&, Pictures&, Cores&,
                LiveEdits&, Worker&, Deadlines&, Pool&, Cell&, EventLog&, IdempotentAnswers&, Accounts&, Passwords&,
