@@ -195,9 +195,9 @@ void begin_task(const Route& route, const Request& request, const Resources& res
   if (!begun) return reply(refusal(std::vector<Error>{std::move(begun).error()}));
   const std::string id = begun->find("id")->as_string();
   const Answer done([resources, id, who = request.identity](const Reply& made) {
-    std::get<Tasks&>(resources).end(id, made);
-    std::get<AuditLog&>(resources).append(
+    std::get<AuditLog&>(resources).append(  // first: who hears of the end finds it there
         {0, now_ms(), who.account, who.address, "task " + id, std::to_string(made.status)});
+    std::get<Tasks&>(resources).end(id, made);
   });
   Reply accepted = ok(std::move(*begun));
   accepted.status = 202;
@@ -241,7 +241,10 @@ void handle(Request request, const Resources& resources, const Answer& answer) {
       continue;
     }
     request.parameters = std::move(*parameters);
-    if (answers_before(route, request)) request.gone = std::make_shared<Stop>(false);  // its client may go
+    if (answers_before(route, request)) {
+      request.gone = std::make_shared<Stop>(false);  // its client may go
+      request.progress = std::make_shared<WorkProgress>();
+    }
     return call_route(route, request, resources, answer);
   }
   if (allowed.empty()) return answer(refusal(404, "not_found", "there is no such route"));

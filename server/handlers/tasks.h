@@ -18,13 +18,14 @@ namespace race::server {
 
 class Tasks {
  public:
-  static constexpr std::size_t kMost = 100;        // that are kept
-  static constexpr std::size_t kMostRunning = 16;  // of these
+  static constexpr std::size_t kMost = 100;              // that are kept
+  static constexpr std::size_t kMostRunning = 16;        // of these
+  static constexpr std::size_t kMostBytes = 32U << 20U;  // of the bodies of those
 
   /// Whether who sends it prefers to be answered before the work is done.
   static bool is_preferred(const Request& request);
   /// Makes a task of a request: schemas/task.json. `can_be_stopped`: its work looks at `request.gone`. Error
-  /// `unavailable`: kMostRunning are being worked on.
+  /// `unavailable`: kMostRunning are being worked on, or their bodies would be larger than kMostBytes.
   Expected<Value> begin(const Request& request, bool can_be_stopped) EXCLUDES(mutex_);
   /// What its work has come to.
   void end(const std::string& id, const Reply& reply) EXCLUDES(mutex_);
@@ -39,12 +40,17 @@ class Tasks {
   struct Task {
     std::string id;
     std::string account;
-    std::string request;  // "POST /api/v1/backups"
-    SharedStop stop;      // empty: it cannot be stopped
+    std::string request;    // "POST /api/v1/backups"
+    std::size_t bytes = 0;  // of its body
+    SharedStop stop = {};   // empty: it cannot be stopped
+    SharedWorkProgress progress = {};
+    bool cancelled = false;  // somebody has; `stop` is also set by work that takes too long
     std::optional<Reply> reply = {};
+
+    bool is_done() const { return reply && reply->status < 400; }
   };
   static Value json(const Task& task);
-  Expected<const Task*> find_task(const std::string& id, const Identity& who) const REQUIRES(mutex_);
+  Expected<std::size_t> find_task(const std::string& id, const Identity& who) const REQUIRES(mutex_);
 
   mutable services::Mutex mutex_;
   std::deque<Task> tasks_ GUARDED_BY(mutex_);  // in order of their ids

@@ -16,10 +16,27 @@ class TaskCase(unittest.TestCase):
         return check("task", task)
 
     def over(self, task):
-        """The task, once its work is done."""
-        ask = lambda: self.server.get(f"/tasks/{task['id']}", "task")
-        self.server.wait_for(lambda: ask()["status"] != "running")
-        return ask()
+        """The task, once its work is done; until then, what it says of its progress never goes back."""
+        seen = []
+
+        def is_over():
+            seen.append(self.server.get(f"/tasks/{task['id']}", "task"))
+            return seen[-1]["status"] != "running"
+
+        self.server.wait_for(is_over)
+        said = [each["progress"] for each in seen if "progress" in each]
+        self.assertEqual(said, sorted(said, key=lambda each: each["done"]))
+        self.assertLessEqual(len({(each["total"], each["unit"]) for each in said}), 1, said)
+        for each in said:
+            self.assertLessEqual(each["done"], each["total"])
+        return seen[-1]
+
+    def assert_all_of(self, task, unit, total=None):
+        """That it says that all of so much is done."""
+        progress = task["progress"]
+        self.assertEqual((progress["done"], progress["unit"]), (progress["total"], unit))
+        if total is not None:
+            self.assertEqual(progress["total"], total)
 
 
 class Tasks(TaskCase):
@@ -34,12 +51,15 @@ class Tasks(TaskCase):
         made = self.over(begun)
         self.assertEqual((made["status"], made["code"]), ("done", 201))
         self.assertEqual(self.server.get(made["location"].removeprefix("/api/v1"), "backup"), made["result"])
+        self.assert_all_of(made, "bytes")
         self.server.put("/documents/new", models.ticking("new"), "document_entry")
         restored = self.over(self.begin("POST", f"/backups/{made['result']['name']}/restore"))
         self.assertEqual((restored["status"], restored["code"], restored["result"]), ("done", 200, made["result"]))
+        self.assert_all_of(restored, "bytes")
         self.assertEqual([each["name"] for each in self.server.get("/documents", "documents")["documents"]], ["kept"])
         missing = self.over(self.begin("POST", "/backups/20200101T000000.000Z/restore"))
         self.assertEqual((missing["status"], missing["code"], missing["errors"][0]["code"]), ("failed", 404, "not_found"))
+        self.assertNotIn("progress", missing)
 
     def test_the_import_of_a_run(self):
         core = self.server.core(models.ticking("moved", last=1), {"last": 1})
@@ -48,8 +68,16 @@ class Tasks(TaskCase):
         made = self.over(self.begin("POST", "/runs", file))
         self.assertEqual((made["status"], made["code"]), ("done", 201))
         self.assertEqual(self.server.get(made["location"].removeprefix("/api/v1"), "run"), made["result"])
+        self.assert_all_of(made, "entries", 2 * file["run"]["steps"])
         refused = self.over(self.begin("POST", "/runs", {**file, "journal": 1}))
         self.assertEqual((refused["status"], refused["code"]), ("failed", 422))
+
+    def test_many_at_once_keep_nobody_waiting(self):
+        begun = [self.begin("POST", "/backups") for _ in range(16)]
+        self.assertEqual(self.server.get("/documents", "documents")["documents"], [])
+        codes = [self.over(each)["code"] for each in begun]
+        self.assertEqual(set(codes) - {201, 409}, set())  # two of a millisecond are a conflict
+        self.assertIn(201, codes)
 
     def test_who_does_not_prefer_it_is_answered_as_ever(self):
         self.server.post("/backups", None, "backup", 201)

@@ -1578,11 +1578,19 @@ class Task(TypedDict):
     id: str
     request: str
     status: Literal['running', 'done', 'failed', 'cancelled']
+    progress: NotRequired[TaskProgress]
     code: NotRequired[int]
     result: NotRequired[dict[str, Json]]
     location: NotRequired[str]
     errors: NotRequired[list[ServerError]]
     more_errors: NotRequired[Literal[True]]
+
+
+class TaskProgress(TypedDict):
+    """a part of api/schemas/task.json"""
+    done: int
+    total: int
+    unit: Literal['bytes', 'entries']
 
 
 class Ticket(TypedDict):

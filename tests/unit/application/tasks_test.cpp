@@ -70,6 +70,56 @@ TEST(Tasks, AreToldToStopIfTheyCanBe) {
   EXPECT_EQ(tasks.cancel(id, who).error().code, ErrorCode::conflict);
 }
 
+TEST(Tasks, ThatTookTooLongAreNotCancelled) {
+  Tasks tasks;
+  const Identity who{"a", Role::developer};
+  const Request request = request_of("a");
+  const std::string id = id_of(tasks.begin(request, true));
+  *request.gone = true;  // as work does that ends because its time is over
+  tasks.end(id, refusal({Error{ErrorCode::too_large, "takes long", {}}}));
+  EXPECT_EQ(status_of(tasks.find(id, who)), "failed");
+}
+
+// "3 of 10 bytes"; empty: nothing is said.
+std::string progress_of(const Value& task) {
+  const Value* progress = task.find("progress");
+  if (!progress) return "";
+  return std::to_string(progress->find("done")->as_integer()) + " of " +
+         std::to_string(progress->find("total")->as_integer()) + ' ' + progress->find("unit")->as_string();
+}
+
+TEST(Tasks, SayHowFarTheirWorkIsOnceThatIsKnown) {
+  Tasks tasks;
+  const Identity who{"a", Role::developer};
+  Request good = request_of("a"), bad = request_of("a");
+  good.progress = std::make_shared<WorkProgress>();
+  bad.progress = std::make_shared<WorkProgress>();
+  const std::string done = id_of(tasks.begin(good, false)), failed = id_of(tasks.begin(bad, false));
+  EXPECT_EQ(progress_of(tasks.find(done, who).value()), "");
+  for (const Request* each : {&good, &bad}) {
+    each->progress->begin(10, "bytes");
+    each->progress->reach(3);
+  }
+  EXPECT_EQ(progress_of(tasks.find(done, who).value()), "3 of 10 bytes");
+  tasks.end(done, Reply());
+  tasks.end(failed, refusal({Error{ErrorCode::conflict, "no", {}}}));
+  EXPECT_EQ(progress_of(tasks.find(done, who).value()), "10 of 10 bytes");
+  EXPECT_EQ(progress_of(tasks.find(failed, who).value()), "3 of 10 bytes");
+}
+
+TEST(Tasks, HoldSoManyBytesOfBodies) {
+  Tasks tasks;
+  Request large = request_of("a");
+  large.body = std::string(Tasks::kMostBytes / 2, ' ');
+  const std::string first = id_of(tasks.begin(large, false));
+  EXPECT_TRUE(tasks.begin(large, false));
+  large.body = " ";
+  EXPECT_EQ(tasks.begin(large, false).error().code, ErrorCode::unavailable);
+  EXPECT_TRUE(tasks.begin(request_of("a"), false)) << "without a body";
+  tasks.end(first, Reply());
+  EXPECT_TRUE(tasks.begin(large, false));
+}
+
 TEST(Tasks, AreBounded) {
   Tasks tasks;
   const Identity who{"a", Role::developer};

@@ -20,8 +20,8 @@ def create_backup(*, idempotency_key: str | None = None, prefer: str | None = No
     requests may be sent again. Another request with the key is refused with 422, one that comes while the first is under way with
     409 (`conflict`). The last 1000 answers are kept, while the server runs.
 
-    prefer: `respond-async` (RFC 7240): the request is answered 202 before its work is done, and GET /api/v1/tasks/{id} says what
-    it comes to. 503 (`unavailable`): the server works on 16 such requests already.
+    prefer: `respond-async` (RFC 7240): the request is answered 202 before its work is done, and GET /api/v1/tasks/{id} says how
+    far it is and what it comes to. 503 (`unavailable`): the server works on 16 such requests already, or on bodies of 32 MiB.
 
     409: There are 20 already, or the request of this Idempotency-Key is under way (`conflict`).
 
@@ -57,8 +57,8 @@ def delete_backup(name: str) -> Call[Backup]:
 def restore_backup(name: str, *, prefer: str | None = None) -> Call[Backup]:
     """Makes all that the server keeps what it was then. Cores are removed.
 
-    prefer: `respond-async` (RFC 7240): the request is answered 202 before its work is done, and GET /api/v1/tasks/{id} says what
-    it comes to. 503 (`unavailable`): the server works on 16 such requests already.
+    prefer: `respond-async` (RFC 7240): the request is answered 202 before its work is done, and GET /api/v1/tasks/{id} says how
+    far it is and what it comes to. 503 (`unavailable`): the server works on 16 such requests already, or on bodies of 32 MiB.
 
     404: There is nothing of this name or number (`not_found`).
 

@@ -35,8 +35,8 @@ def import_run(body: RunFile, *, idempotency_key: str | None = None, prefer: str
     requests may be sent again. Another request with the key is refused with 422, one that comes while the first is under way with
     409 (`conflict`). The last 1000 answers are kept, while the server runs.
 
-    prefer: `respond-async` (RFC 7240): the request is answered 202 before its work is done, and GET /api/v1/tasks/{id} says what
-    it comes to. 503 (`unavailable`): the server works on 16 such requests already.
+    prefer: `respond-async` (RFC 7240): the request is answered 202 before its work is done, and GET /api/v1/tasks/{id} says how
+    far it is and what it comes to. 503 (`unavailable`): the server works on 16 such requests already, or on bodies of 32 MiB.
 
     400: The body is no JSON or out of its limits (`json`, `too_deep`, `out_of_range`).
 

@@ -130,7 +130,7 @@ def get_rules() -> Call[Rules]:
 
 
 def get_task(id: str) -> Call[Task]:
-    """What a request comes to that was answered 202, before its work was done.
+    """How far the work of a request is that was answered 202, before that was done, and what it comes to.
 
     For who has sent the request, and admins. The last 100 are kept, while the server runs.
 
