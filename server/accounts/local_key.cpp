@@ -42,12 +42,16 @@ std::string trimmed(const std::string& text) {
 
 }  // namespace
 
-Expected<std::string> read_token_file(const std::string& path) {
+Expected<std::string> read_private_file(const std::string& path) {
   struct stat known {};
   if (::stat(path.c_str(), &known) != 0) return of_system(path);
   if ((known.st_mode & (S_IRWXG | S_IRWXO)) != 0)
     return unexpected(ErrorCode::not_accepted, "others may use this file: it needs the permissions 0600", path);
-  ASSIGN_OR_RETURN(const std::string text, read_file(path, kMostBytes));
+  return read_file(path, kMostBytes);
+}
+
+Expected<std::string> read_token_file(const std::string& path) {
+  ASSIGN_OR_RETURN(const std::string text, read_private_file(path));
   std::string secret = trimmed(text);
   if (!secret.starts_with(kTokenPrefix)) return unexpected(ErrorCode::not_accepted, "this file holds no token", path);
   return secret;

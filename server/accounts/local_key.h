@@ -31,6 +31,10 @@ class LocalKey {
   std::vector<std::string> groups_;
 };
 
+/// The text of a small file (1000 bytes) that holds a secret. Errors, with the path: `io`; `too_large`; `not_accepted`:
+/// others than its owner may read it.
+Expected<std::string> read_private_file(const std::string& path);
+
 /// The secret in a file, without white space around it. Errors, with the path: `io`; `not_accepted`: others than its
 /// owner may read it, or it holds no token.
 Expected<std::string> read_token_file(const std::string& path);

@@ -1,11 +1,7 @@
 // race account ACTION: who may use a server, in its data folder: the first account, and one when nobody can log in any
 // more. While a server runs on the folder, its admins do the same on its pages (/api/v1/accounts).
-#include <termios.h>
-#include <unistd.h>
-
 #include <array>
 #include <cstdio>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +10,7 @@
 #include "server/accounts/passwords.h"
 #include "server/cell/component_groups.h"
 #include "server/commands/command.h"
+#include "server/commands/terminal_input.h"
 #include "server/store/data_folder.h"
 #include "server/wire/calendar.h"
 
@@ -31,43 +28,13 @@ struct Options {
 constexpr std::array<std::string_view, 5> kRoles = {"observer", "operator", "developer", "admin", "process"};
 constexpr std::int64_t kDay = std::int64_t{24} * 60 * 60 * 1000;
 
-// A terminal shows nothing of what is typed meanwhile.
-class NoEcho {
- public:
-  NoEcho() : is_terminal_(::tcgetattr(STDIN_FILENO, &before_) == 0) {
-    if (!is_terminal_) return;
-    termios silent = before_;
-    silent.c_lflag &= ~static_cast<tcflag_t>(ECHO);
-    ::tcsetattr(STDIN_FILENO, TCSAFLUSH, &silent);
-  }
-  ~NoEcho() {
-    if (is_terminal_) ::tcsetattr(STDIN_FILENO, TCSAFLUSH, &before_);
-  }
-  NoEcho(const NoEcho&) = delete;
-  NoEcho& operator=(const NoEcho&) = delete;
-
- private:
-  termios before_{};
-  const bool is_terminal_;
-};
-
-Expected<std::string> read_line(const char* prompt) {
-  const bool is_terminal = ::isatty(STDIN_FILENO) == 1;
-  if (is_terminal) std::fputs(prompt, stderr);
-  std::string line;
-  const bool read = static_cast<bool>(std::getline(std::cin, line));
-  if (is_terminal) std::fputs("\n", stderr);
-  if (!read) return unexpected(ErrorCode::missing, "the standard input has no password", "password");
-  return line;
-}
-
 // Typed twice on a terminal, else the first line of the standard input.
 Expected<std::string> read_password(const std::string& account) {
   const NoEcho silent;
-  ASSIGN_OR_RETURN(std::string password, read_line("Password: "));
+  ASSIGN_OR_RETURN(std::string password, read_input_line("Password: ", "password"));
   if (auto fine = Passwords::check(password, account); !fine) return tl::unexpected(std::move(fine).error());
-  if (::isatty(STDIN_FILENO) == 0) return password;
-  ASSIGN_OR_RETURN(const std::string again, read_line("The same again: "));
+  if (!is_terminal_input()) return password;
+  ASSIGN_OR_RETURN(const std::string again, read_input_line("The same again: ", "password"));
   if (again != password) return unexpected(ErrorCode::conflict, "the two are not the same", "password");
   return password;
 }

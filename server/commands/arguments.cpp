@@ -78,6 +78,11 @@ void Arguments::positional(const std::string& name, std::string& value, const st
   app_->add_option(name, value, help)->required();
 }
 
+void Arguments::positional(const std::string& name, std::optional<std::string>& value, const std::string& help) {
+  app_->add_option_function<std::string>(
+      name, [&value](const std::string& text) { value = text; }, help);
+}
+
 void Arguments::positionals(const std::string& name, std::vector<std::string>& values, bool required,
                             const std::string& help) {
   app_->add_option(name, values, help)->required(required);

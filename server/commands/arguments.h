@@ -36,6 +36,8 @@ class Arguments {
 
   /// One word that must be there.
   void positional(const std::string& name, std::string& value, const std::string& help = "");
+  /// One word that may be there.
+  void positional(const std::string& name, std::optional<std::string>& value, const std::string& help = "");
   /// All other words; at least one if `required`.
   void positionals(const std::string& name, std::vector<std::string>& values, bool required,
                    const std::string& help = "");

@@ -73,13 +73,6 @@ Expected<const Action*> find_action(const Options& options) {
   return &*action;
 }
 
-// A text of a server in one line, whatever it says.
-std::string in_one_line(std::string text) {
-  std::ranges::replace_if(
-      text, [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
-  return text;
-}
-
 // How it stands: why it is interrupted, that it is paused, the fault, or the port by which it ended.
 std::string end_text(const Value& core) {
   std::vector<Error> errors;

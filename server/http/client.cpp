@@ -115,8 +115,9 @@ Expected<HttpClient> HttpClient::create(std::string url, Timeouts timeouts) {
 }
 
 Expected<HttpClient::Answer> HttpClient::request(std::string_view method, std::string_view target,
-                                                 const std::optional<Value>& body) const {
-  const ClientRequest request = make_request(address_, token_, method, target, body);
+                                                 const std::optional<Value>& body, const Headers& headers) const {
+  ClientRequest request = make_request(address_, token_, method, target, body);
+  for (const auto& [name, value] : headers) request.set(name, value);
   std::unique_ptr<Trust> trust;
   if (address_.tls) {
     ASSIGN_OR_RETURN(trust, read_trust(authority_));

@@ -9,6 +9,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "core/value/expected.h"
 #include "core/value/value.h"
@@ -23,6 +25,7 @@ class HttpClient {
     int status = 0;
     Value body;
   };
+  using Headers = std::vector<std::pair<std::string, std::string>>;
   /// Greater than 0. A handler of the server answers within seven seconds (handlers/README.md).
   struct Timeouts {
     std::chrono::milliseconds connect{3'000};
@@ -43,8 +46,8 @@ class HttpClient {
   /// encoded (message.h, encode_part). Errors, with the URL as path: `unavailable` (nothing listens there, or no answer
   /// came in time; the server may have executed it), `io` (what answers speaks no HTTP or no JSON, or more than
   /// kBodyBytes, or it is not trusted); with the file of the authority as path `io`.
-  Expected<Answer> request(std::string_view method, std::string_view target,
-                           const std::optional<Value>& body = {}) const;
+  Expected<Answer> request(std::string_view method, std::string_view target, const std::optional<Value>& body = {},
+                           const Headers& headers = {}) const;
 
  private:
   HttpClient(std::string url, remote::Address address, Timeouts timeouts)

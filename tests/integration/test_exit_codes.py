@@ -51,16 +51,18 @@ TABLE = (
     (0, ("boot", "list", "--server", "SERVER")), (1, ("boot", "remove", "a", "--server", "SERVER")), (2, ("boot", "list", *NOWHERE)),
     (0, ("account", "list", "--data", "accounts")), (2, ("account", "add", "ada", "--data", "accounts")), (2, ("account", "dance")),
     (2, ("account", "list", "--data", "SERVER_DATA")),
+    (2, ("login", "ada", "--server", "SERVER")), (2, ("login", "ada", *NOWHERE)), (2, ("login", "--server", "SERVER")),
+    (2, ("login", "ada", "--server", "http://192.0.2.1:80")), (1, ("logout", "--server", "SERVER")), (2, ("logout", "--server", "x")),
     (2, ("service", "oven", *NOWHERE)), (2, ("service", "database")), (2, ("service", "database", "--server", "ftp://x")),
     (2, ("serve", "--remote", "oven")), (2, ("serve", "--data", "/proc/no")), (2, ("serve", "--operator", "no.json")),
 )
-COMMANDS = ("serve", "service", "run", "runs", "replay", "backup", "restore", "core", "boot", "account", "derive",
-            "check", "translate", "fmt")
+COMMANDS = ("serve", "service", "run", "runs", "replay", "backup", "restore", "core", "boot", "account", "login", "logout",
+            "derive", "check", "translate", "fmt")
 # What a command needs at least.
 WORDS = {"service": ("database", *NOWHERE), "run": ("fine.rcm.json",), "replay": ("no.json",), "runs": ("--data", "none"),
          "restore": ("none",), "core": ("list",), "boot": ("list",),
          "account": ("list", "--data", "accounts"), "derive": ("fine.rcm.json", "script.json"),
-         "check": ("fine.rcm.json",), "translate": ("fine.rcm.json",), "fmt": ("fine.rcm.json",)}
+         "check": ("fine.rcm.json",), "translate": ("fine.rcm.json",), "fmt": ("fine.rcm.json",), "login": ("ada", *NOWHERE), "logout": NOWHERE}
 
 
 class CommandCase(unittest.TestCase):
