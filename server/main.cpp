@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
       &race::server::kServe,  &race::server::kService, &race::server::kRun,       &race::server::kRuns,
       &race::server::kReplay, &race::server::kBackup,  &race::server::kRestore,   &race::server::kCore,
       &race::server::kBoot,   &race::server::kAccount, &race::server::kLogin,     &race::server::kLogout,
+      &race::server::kModels, &race::server::kPull,    &race::server::kPush,
 #endif
       &race::server::kDerive, &race::server::kCheck,   &race::server::kTranslate, &race::server::kFmt,
   };

@@ -27,7 +27,7 @@ struct Command {
   std::function<int()> (*declare)(Arguments& arguments);
 };
 
-extern const Command kAccount, kBackup, kRestore, kCore, kBoot, kLogin, kLogout;
+extern const Command kAccount, kBackup, kRestore, kCore, kBoot, kLogin, kLogout, kModels, kPull, kPush;
 extern const Command kServe, kService, kRun, kRuns, kReplay, kDerive, kCheck, kTranslate, kFmt;
 
 /// Prints errors as lines to stderr, with `json` also as JSON to stdout (file_errors.h). Returns kExitBadInput.

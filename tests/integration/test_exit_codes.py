@@ -53,16 +53,22 @@ TABLE = (
     (2, ("account", "list", "--data", "SERVER_DATA")),
     (2, ("login", "ada", "--server", "SERVER")), (2, ("login", "ada", *NOWHERE)), (2, ("login", "--server", "SERVER")),
     (2, ("login", "ada", "--server", "http://192.0.2.1:80")), (1, ("logout", "--server", "SERVER")), (2, ("logout", "--server", "x")),
+    (0, ("models", "--server", "SERVER")), (2, ("models", *NOWHERE)),
+    (0, ("pull", "--into", "pulled", "--server", "SERVER")), (1, ("pull", "none", "--server", "SERVER")), (2, ("pull", *NOWHERE)),
+    (2, ("pull", "a/b", "--server", "SERVER")), (2, ("pull", "--into", "fine.rcm.json", "--server", "SERVER")),
+    (0, ("push", "--new", "fine.rcm.json", "--server", "SERVER")), (1, ("push", "faulty.rcm.json", "--server", "SERVER")),
+    (2, ("push", "no.json", "--server", "SERVER")), (2, ("push", "fine.rcm.json", *NOWHERE)), (2, ("push",)),
     (2, ("service", "oven", *NOWHERE)), (2, ("service", "database")), (2, ("service", "database", "--server", "ftp://x")),
     (2, ("serve", "--remote", "oven")), (2, ("serve", "--data", "/proc/no")), (2, ("serve", "--operator", "no.json")),
 )
 COMMANDS = ("serve", "service", "run", "runs", "replay", "backup", "restore", "core", "boot", "account", "login", "logout",
-            "derive", "check", "translate", "fmt")
+            "models", "pull", "push", "derive", "check", "translate", "fmt")
 # What a command needs at least.
 WORDS = {"service": ("database", *NOWHERE), "run": ("fine.rcm.json",), "replay": ("no.json",), "runs": ("--data", "none"),
          "restore": ("none",), "core": ("list",), "boot": ("list",),
          "account": ("list", "--data", "accounts"), "derive": ("fine.rcm.json", "script.json"),
-         "check": ("fine.rcm.json",), "translate": ("fine.rcm.json",), "fmt": ("fine.rcm.json",), "login": ("ada", *NOWHERE), "logout": NOWHERE}
+         "check": ("fine.rcm.json",), "translate": ("fine.rcm.json",), "fmt": ("fine.rcm.json",), "login": ("ada", *NOWHERE), "logout": NOWHERE,
+         "models": NOWHERE, "pull": NOWHERE, "push": ("fine.rcm.json", *NOWHERE)}
 
 
 class CommandCase(unittest.TestCase):
