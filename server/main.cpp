@@ -11,7 +11,8 @@ int main(int argc, char** argv) {
       &race::server::kServe,  &race::server::kService, &race::server::kRun,       &race::server::kRuns,
       &race::server::kReplay, &race::server::kBackup,  &race::server::kRestore,   &race::server::kCore,
       &race::server::kBoot,   &race::server::kAccount, &race::server::kLogin,     &race::server::kLogout,
-      &race::server::kModels, &race::server::kPull,    &race::server::kPush,
+      &race::server::kModels, &race::server::kPull,    &race::server::kPush,      &race::server::kStart,
+      &race::server::kStop,   &race::server::kServices, &race::server::kCall,
 #endif
       &race::server::kDerive, &race::server::kCheck,   &race::server::kTranslate, &race::server::kFmt,
   };

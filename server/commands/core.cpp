@@ -1,21 +1,17 @@
 // race core ACTION: the cores of a running server, from the command line (api/openapi.yaml, /api/v1/cores).
 #include <algorithm>
 #include <array>
-#include <cinttypes>
 #include <cstdio>
 #include <memory>
 #include <optional>
 
-#include "core/value/fields.h"
 #include "core/value/json.h"
 #include "server/commands/ask_server.h"
 #include "server/commands/command.h"
-#include "server/http/message.h"
+#include "server/commands/core_line.h"
 
 namespace race::server {
 namespace {
-
-constexpr const char* kCores = "/api/v1/cores";
 
 struct Options {
   std::string action;
@@ -73,51 +69,21 @@ Expected<const Action*> find_action(const Options& options) {
   return &*action;
 }
 
-// How it stands: why it is interrupted, that it is paused, the fault, or the port by which it ended.
-std::string end_text(const Value& core) {
-  std::vector<Error> errors;
-  Fields fields(core, "", "the core", errors);
-  if (const Value* interruption = fields.find("interruption"))
-    return Fields(*interruption, "", "the interruption", errors).text("message").value_or("");
-  if (fields.boolean("paused").value_or(false)) return "paused";
-  const Value* fault = fields.find("fault");
-  if (!fault) return fields.text("outcome").value_or("");
-  Fields of_fault(*fault, "", "the fault", errors);
-  return of_fault.text("at").value_or("") + ": " + of_fault.text("kind").value_or("") + ": " +
-         of_fault.text("message").value_or("");
-}
-
-// Id, document, status, macro steps, and how it stands. Error `io`: this is no core.
-Expected<std::string> line_of(const Value& core) {
-  std::vector<Error> errors;
-  Fields fields(core, "", "the core", errors);
-  const auto id = fields.text("id", Fields::Need::required), document = fields.text("document", Fields::Need::required),
-             status = fields.text("status", Fields::Need::required);
-  const Value* step = fields.find("step", Fields::Need::required);
-  if (!errors.empty() || !step->is_integer()) return unexpected(ErrorCode::io, "answers what is no core");
-  char text[200];
-  std::snprintf(text, sizeof(text), "%4.20s  %-20.64s  %-11.20s  %6" PRId64, id->c_str(), document->c_str(),
-                status->c_str(), step->as_integer());
-  const std::string end = end_text(core);
-  return in_one_line(end.empty() ? text : text + ("  " + end));
-}
-
 // One line for each core of an answer.
 Expected<std::string> lines_of(const Value& answer) {
   const Value* list = answer.find("cores");
   const List cores = list && list->is_list() ? list->as_list() : List{answer};
   std::string lines;
   for (const Value& core : cores) {
-    ASSIGN_OR_RETURN(const std::string line, line_of(core));
+    ASSIGN_OR_RETURN(const std::string line, core_line(core));
     lines += line + '\n';
   }
   return lines;
 }
 
 tl::expected<Value, int> ask(const Action& action, const Options& options, std::optional<Dict> arguments) {
-  std::string target = kCores;
-  if (action.has_id()) target += '/' + encode_part(options.words.front());
-  target += action.command;
+  const std::string core_or_all = action.has_id() ? core_path(options.words.front()) : kCores,
+                    target = core_or_all + std::string(action.command);
   Dict body;
   if (action.has_document()) body.set("document", options.words.back());
   if (arguments) body.set("arguments", std::move(*arguments));
@@ -126,7 +92,7 @@ tl::expected<Value, int> ask(const Action& action, const Options& options, std::
   if (!core || !options.start) return core;
   const Value* id = core->find("id");
   if (!id || !id->is_string()) return core;  // what is no core is refused when it is printed
-  return ask_server(options.server, "POST", kCores + ('/' + encode_part(id->as_string())) + "/start");
+  return ask_server(options.server, "POST", core_path(id->as_string()) + "/start");
 }
 
 int run(const Options& options) {

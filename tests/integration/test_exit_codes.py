@@ -57,18 +57,28 @@ TABLE = (
     (0, ("pull", "--into", "pulled", "--server", "SERVER")), (1, ("pull", "none", "--server", "SERVER")), (2, ("pull", *NOWHERE)),
     (2, ("pull", "a/b", "--server", "SERVER")), (2, ("pull", "--into", "fine.rcm.json", "--server", "SERVER")),
     (0, ("push", "--new", "fine.rcm.json", "--server", "SERVER")), (1, ("push", "faulty.rcm.json", "--server", "SERVER")),
+    (0, ("push", "--new", "faulty.rcm.json", "--server", "SERVER")),
     (2, ("push", "no.json", "--server", "SERVER")), (2, ("push", "fine.rcm.json", *NOWHERE)), (2, ("push",)),
+    (0, ("start", "fine", "--server", "SERVER")), (0, ("start", "fine", "--wait", "--server", "SERVER")),
+    (1, ("start", "faulty", "--wait", "--server", "SERVER")), (1, ("start", "none", "--server", "SERVER")), (2, ("start", "a", *NOWHERE)),
+    (2, ("start", "a", "--arguments", "[]", "--server", "SERVER")), (1, ("stop", "9", "--server", "SERVER")), (2, ("stop", "9", *NOWHERE)),
+    (2, ("stop",)), (2, ("stop", "9", "--cell")), (2, ("stop", "--cell", *NOWHERE)),
+    (0, ("services", "--server", "SERVER")), (2, ("services", *NOWHERE)), (2, ("call", "timer", *NOWHERE)),
+    (0, ("call", "timer.wait", "seconds=0", "--server", "SERVER")), (1, ("call", "timer.wait", "seconds=-1", "--server", "SERVER")),
+    (1, ("call", "none.wait", "--server", "SERVER")), (2, ("call", "timer.wait", "0", "--server", "SERVER")),
     (2, ("service", "oven", *NOWHERE)), (2, ("service", "database")), (2, ("service", "database", "--server", "ftp://x")),
     (2, ("serve", "--remote", "oven")), (2, ("serve", "--data", "/proc/no")), (2, ("serve", "--operator", "no.json")),
 )
 COMMANDS = ("serve", "service", "run", "runs", "replay", "backup", "restore", "core", "boot", "account", "login", "logout",
-            "models", "pull", "push", "derive", "check", "translate", "fmt")
+            "models", "pull", "push", "start", "stop", "services", "call", "derive", "check", "translate",
+            "fmt")
 # What a command needs at least.
 WORDS = {"service": ("database", *NOWHERE), "run": ("fine.rcm.json",), "replay": ("no.json",), "runs": ("--data", "none"),
          "restore": ("none",), "core": ("list",), "boot": ("list",),
          "account": ("list", "--data", "accounts"), "derive": ("fine.rcm.json", "script.json"),
          "check": ("fine.rcm.json",), "translate": ("fine.rcm.json",), "fmt": ("fine.rcm.json",), "login": ("ada", *NOWHERE), "logout": NOWHERE,
-         "models": NOWHERE, "pull": NOWHERE, "push": ("fine.rcm.json", *NOWHERE)}
+         "models": NOWHERE, "pull": NOWHERE, "push": ("fine.rcm.json", *NOWHERE), "start": ("a", *NOWHERE), "stop": ("1", *NOWHERE),
+         "services": NOWHERE, "call": ("timer.wait", *NOWHERE)}
 
 
 class CommandCase(unittest.TestCase):
