@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
       &race::server::kBoot,   &race::server::kAccount, &race::server::kLogin,     &race::server::kLogout,
       &race::server::kModels, &race::server::kPull,    &race::server::kPush,      &race::server::kStart,
       &race::server::kStop,   &race::server::kServices, &race::server::kCall,
+      &race::server::kTrace,  &race::server::kLog,
 #endif
       &race::server::kDerive, &race::server::kCheck,   &race::server::kTranslate, &race::server::kFmt,
   };

@@ -60,14 +60,17 @@ std::string obstacle_text(const Value& obstacle) {
 
 class Transcript {
  public:
-  std::string write(const Value& document) {
-    Value before;
-    std::size_t number = 0;
+  // `number` and `before` go on.
+  std::string write_steps(const Value& document, std::size_t& number, Value& before) {
     for (const Value& step : items(document, "steps")) {
-      line(0, "step " + std::to_string(++number));
+      line(0, "step " + std::to_string(number++));
       write_step(step, before);
       if (const Value* state = step.find("state")) before = *state;
     }
+    return std::move(text_);
+  }
+
+  std::string write_end(const Value& document) {
     write_status(document);
     return std::move(text_);
   }
@@ -164,6 +167,12 @@ class Transcript {
 
 }  // namespace
 
-std::string derivation_text(const Value& document) { return Transcript().write(document); }
+std::string derivation_text(const Value& document) {
+  return DerivationText().steps(document) + DerivationText::status(document);
+}
+
+std::string DerivationText::steps(const Value& document) { return Transcript().write_steps(document, next_, before_); }
+
+std::string DerivationText::status(const Value& document) { return Transcript().write_end(document); }
 
 }  // namespace race::semantics

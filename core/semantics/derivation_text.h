@@ -2,6 +2,7 @@
 // Changes of it are read as a line diff.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "core/value/value.h"
@@ -23,5 +24,21 @@ namespace race::semantics {
 /// A field that is missing is left out. Names that are no identifiers, values and messages are written as JSON, so that
 /// none of them breaks a line.
 std::string derivation_text(const Value& document);
+
+/// The same in parts, for a run that goes on or is long: documents with steps that follow one another.
+class DerivationText {
+ public:
+  /// `first`: the number of the first step.
+  explicit DerivationText(std::size_t first = 1) : next_(first) {}
+
+  /// The transcript of the steps of the next document, without its status.
+  std::string steps(const Value& document);
+  /// The last line, of the document whose status is that of the run.
+  static std::string status(const Value& document);
+
+ private:
+  std::size_t next_;
+  Value before_;  // the state after the last step; null: not known
+};
 
 }  // namespace race::semantics

@@ -136,6 +136,13 @@ int refuse_answer(const ServerOptions& server, const HttpClient::Answer& answer,
   return kExitFindings;
 }
 
+int refuse_connection(const ServerOptions& server, const Error& error) {
+  const int code = refuse(error, server.json);
+  if (error.code != ErrorCode::rights) return code;
+  print_login_hint(server);
+  return kExitFindings;
+}
+
 tl::expected<Value, int> ask_server(const ServerOptions& server, std::string_view method, const std::string& target,
                                     const std::optional<Value>& body) {
   auto answer = request_server(server, method, target, body);

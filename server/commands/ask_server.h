@@ -46,6 +46,10 @@ tl::expected<HttpClient::Answer, int> request_server(const ServerOptions& server
 /// they are about. Returns kExitFindings.
 int refuse_answer(const ServerOptions& server, const HttpClient::Answer& answer, const std::string& file = "");
 
+/// The same of an error of HttpClient::follow(). Gives kExitFindings if the server does not let in who asks, else
+/// kExitBadInput.
+int refuse_connection(const ServerOptions& server, const Error& error);
+
 /// Whether the server does what it was asked for.
 inline bool is_fine(const HttpClient::Answer& answer) { return answer.status >= 200 && answer.status < 300; }
 

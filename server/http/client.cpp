@@ -4,6 +4,8 @@
 #include <boost/asio/ssl.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
+#include <boost/beast/websocket.hpp>
+#include <boost/beast/websocket/ssl.hpp>
 #include <memory>
 
 #include "core/value/json.h"
@@ -14,6 +16,7 @@ namespace {
 namespace asio = boost::asio;
 namespace beast = boost::beast;
 namespace http = beast::http;
+namespace websocket = beast::websocket;
 using asio::ip::tcp;
 using boost::system::error_code;
 
@@ -34,6 +37,11 @@ ClientRequest make_request(const remote::Address& address, const std::string& to
   return request;
 }
 
+struct Subscription {
+  std::string host, token, channel;
+  const std::function<bool(const Value& message)>& take;
+};
+
 using Trust = asio::ssl::context;
 
 // Of an authority (PEM), or without one, of those that the machine trusts. Error `io`.
@@ -48,13 +56,14 @@ Expected<std::unique_ptr<Trust>> read_trust(const std::string& authority) {
   return trust;
 }
 
-// One request on a connection of its own.
+// What is done on a connection of its own, by one thread.
 struct Exchange {
   static constexpr auto kAsTuple = asio::as_tuple(asio::use_awaitable);
 
-  // With TLS if there is somebody to trust.
-  asio::awaitable<Expected<HttpClient::Answer>> run(const remote::Address& address, const ClientRequest& request,
-                                                    HttpClient::Timeouts timeouts, Trust* trust) {
+  // With TLS if there is somebody to trust. `use` gets the stream, of either kind.
+  template <typename Result, typename Use>
+  asio::awaitable<Expected<Result>> run(const remote::Address& address, const Use& use, HttpClient::Timeouts timeouts,
+                                        Trust* trust) {
     tcp::resolver resolver(io);
     const auto [unknown, endpoints] =
         co_await resolver.async_resolve(address.host, std::to_string(address.port), kAsTuple);
@@ -63,17 +72,17 @@ struct Exchange {
     const auto [absent, endpoint] = co_await stream.async_connect(endpoints, kAsTuple);
     if (absent) co_return failure(absent);
     stream.expires_after(timeouts.answer);
-    if (!trust) co_return co_await ask(stream, request);
-    asio::ssl::stream<beast::tcp_stream&> secret(stream, *trust);
+    if (!trust) co_return co_await use(stream);
+    secret.emplace(stream, *trust);
     error_code invalid;
-    secret.set_verify_callback(asio::ssl::host_name_verification(address.host), invalid);
+    secret->set_verify_callback(asio::ssl::host_name_verification(address.host), invalid);
     if (invalid) co_return not_trusted(invalid);
     // RFC 6066, 3: names alone; what is no name is an address.
     asio::ip::make_address(address.host, invalid);
-    if (invalid) SSL_set_tlsext_host_name(secret.native_handle(), address.host.c_str());
-    const auto [distrust] = co_await secret.async_handshake(asio::ssl::stream_base::client, kAsTuple);
+    if (invalid) SSL_set_tlsext_host_name(secret->native_handle(), address.host.c_str());
+    const auto [distrust] = co_await secret->async_handshake(asio::ssl::stream_base::client, kAsTuple);
     if (distrust) co_return not_trusted(distrust);
-    co_return co_await ask(secret, request);
+    co_return co_await use(*secret);
   }
 
   template <typename Stream>
@@ -91,6 +100,34 @@ struct Exchange {
     co_return HttpClient::Answer{static_cast<int>(parser.get().result_int()), std::move(*body)};
   }
 
+  // The messages of a channel, as long as they are taken.
+  template <typename Stream>
+  static asio::awaitable<Expected<bool>> follow(Stream& stream, const Subscription& wanted) {
+    websocket::stream<Stream&> socket(stream);
+    socket.read_message_max(HttpClient::kBodyBytes);
+    socket.set_option(websocket::stream_base::decorator([&wanted](websocket::request_type& request) {
+      if (!wanted.token.empty()) request.set(http::field::authorization, "Bearer " + wanted.token);
+    }));
+    // Who is silent for half a minute, also for pings, is gone.
+    socket.set_option(websocket::stream_base::timeout{std::chrono::seconds(10), std::chrono::seconds(30), true});
+    websocket::response_type answer;
+    const auto [refused] = co_await socket.async_handshake(answer, wanted.host, "/api/v1/stream", kAsTuple);
+    if (answer.result() == http::status::unauthorized || answer.result() == http::status::forbidden)
+      co_return unexpected(ErrorCode::rights, "does not let in who asks");
+    if (refused) co_return failure(refused);
+    beast::get_lowest_layer(stream).expires_never();
+    const std::string request = to_json(Dict{{"type", "subscribe"}, {"channel", wanted.channel}});
+    const auto [unsent, sent] = co_await socket.async_write(asio::buffer(request), kAsTuple);
+    if (unsent) co_return failure(unsent);
+    for (beast::flat_buffer buffer;; buffer.clear()) {
+      const auto [ended, received] = co_await socket.async_read(buffer, kAsTuple);
+      if (ended) co_return failure(ended);
+      const auto message = parse_json(beast::buffers_to_string(buffer.cdata()));
+      if (!message) co_return unexpected(ErrorCode::io, "sends what is no JSON");
+      if (!wanted.take(*message)) co_return true;  // the connection ends with the command
+    }
+  }
+
   // Of the network; or of what is there, if it speaks no HTTP.
   static tl::unexpected<Error> failure(error_code error) {
     const bool is_http = error.category() == make_error_code(http::error::bad_method).category();
@@ -105,6 +142,7 @@ struct Exchange {
 
   asio::io_context io{1};
   beast::tcp_stream stream{io};
+  std::optional<asio::ssl::stream<beast::tcp_stream&>> secret;  // what is under way when run() ends refers to it
 };
 
 }  // namespace
@@ -114,23 +152,37 @@ Expected<HttpClient> HttpClient::create(std::string url, Timeouts timeouts) {
   return HttpClient(std::move(url), std::move(address), timeouts);
 }
 
-Expected<HttpClient::Answer> HttpClient::request(std::string_view method, std::string_view target,
-                                                 const std::optional<Value>& body, const Headers& headers) const {
-  ClientRequest request = make_request(address_, token_, method, target, body);
-  for (const auto& [name, value] : headers) request.set(name, value);
+// `use` is called with the connected stream, and waited for.
+template <typename Result, typename Use>
+Expected<Result> HttpClient::connect_and(const Use& use) const {
   std::unique_ptr<Trust> trust;
   if (address_.tls) {
     ASSIGN_OR_RETURN(trust, read_trust(authority_));
   }
   Exchange exchange;
-  Expected<Answer> answer = unexpected(ErrorCode::unavailable, "the connection failed");
-  asio::co_spawn(exchange.io, exchange.run(address_, request, timeouts_, trust.get()),
-                 [&answer](std::exception_ptr failed, Expected<Answer> result) {
-                   if (!failed) answer = std::move(result);
+  Expected<Result> outcome = unexpected(ErrorCode::unavailable, "the connection failed");
+  asio::co_spawn(exchange.io, exchange.run<Result>(address_, use, timeouts_, trust.get()),
+                 [&outcome](std::exception_ptr failed, Expected<Result> result) {
+                   if (!failed) outcome = std::move(result);
                  });
   exchange.io.run();
-  if (!answer) return unexpected(answer.error().code, answer.error().message, url_);
-  return answer;
+  if (!outcome) return unexpected(outcome.error().code, outcome.error().message, url_);
+  return outcome;
+}
+
+Expected<HttpClient::Answer> HttpClient::request(std::string_view method, std::string_view target,
+                                                 const std::optional<Value>& body, const Headers& headers) const {
+  ClientRequest request = make_request(address_, token_, method, target, body);
+  for (const auto& [name, value] : headers) request.set(name, value);
+  return connect_and<Answer>([&request](auto& stream) { return Exchange::ask(stream, request); });
+}
+
+Expected<void> HttpClient::follow(std::string_view channel,
+                                  const std::function<bool(const Value& message)>& take) const {
+  const Subscription wanted{address_.host + ':' + std::to_string(address_.port), token_, std::string(channel), take};
+  const auto done = connect_and<bool>([&wanted](auto& stream) { return Exchange::follow(stream, wanted); });
+  if (!done) return tl::unexpected(done.error());
+  return {};
 }
 
 }  // namespace race::server

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -49,7 +50,15 @@ class HttpClient {
   Expected<Answer> request(std::string_view method, std::string_view target, const std::optional<Value>& body = {},
                            const Headers& headers = {}) const;
 
+  /// Subscribes a channel of the stream (api/asyncapi.yaml), and gives each of its messages, from the snapshot on, to
+  /// `take` until that returns false. Errors, with the URL as path: `rights` (the server does not let in who asks), and
+  /// those of request(); `unavailable` also if the connection ends.
+  Expected<void> follow(std::string_view channel, const std::function<bool(const Value& message)>& take) const;
+
  private:
+  template <typename Result, typename Use>
+  Expected<Result> connect_and(const Use& use) const;
+
   HttpClient(std::string url, remote::Address address, Timeouts timeouts)
       : url_(std::move(url)), address_(std::move(address)), timeouts_(timeouts) {}
 

@@ -103,6 +103,23 @@ TEST_F(ClientTest, TrustsOverTlsTheAuthorityThatItIsTold) {
     EXPECT_THAT(ask("127.0.0.1", folder.file(none)), HasSubstr("io: no certificate can be read")) << none;
 }
 
+TEST_F(ClientTest, FollowsAChannelUntilItIsEnough) {
+  std::vector<Value> messages;
+  const auto take = [&messages](const Value& message) {
+    messages.push_back(message);
+    return false;
+  };
+  EXPECT_TRUE(client().follow("log", take));
+  auto over_tls = HttpClient::create("https://127.0.0.1:" + std::to_string(server->port(1))).value();
+  over_tls.set_authority(folder.file("tls/ca.pem"));
+  EXPECT_TRUE(over_tls.follow("log", take));
+  ASSERT_EQ(messages.size(), 2U);
+  for (const Value& message : messages) {
+    EXPECT_EQ(*message.find("channel"), Value("log"));
+    EXPECT_EQ(*message.find("kind"), Value("error")) << "this hub has no channels";
+  }
+}
+
 // Accepts one connection, says `text`, and holds it until the test is over.
 class StrangeServer {
  public:
@@ -157,6 +174,17 @@ TEST(HttpClient, CallsWhatIsNoServerOfOursIo) {
 TEST(HttpClient, GivesUpWhatDoesNotAnswerInTime) {
   EXPECT_EQ(error_with("", {3s, 100ms}).code, ErrorCode::unavailable);
   EXPECT_EQ(error_with("HTTP/1.1 200 OK\r\nContent-Length: 6\r\n\r\n{", {3s, 100ms}).code, ErrorCode::unavailable);
+}
+
+TEST(HttpClient, FollowsNothingWhereNobodySpeaksOfIt) {
+  const auto code = [](const std::string& answer) {
+    const StrangeServer strange(answer);
+    const auto followed = HttpClient::create(strange.url()).value().follow("log", [](const Value&) { return true; });
+    return followed ? std::string() : std::string(name(followed.error().code));
+  };
+  EXPECT_EQ(code("HTTP/1.1 401 Unauthorized\r\nContent-Length: 0\r\n\r\n"), "rights");
+  EXPECT_EQ(code("HTTP/1.1 403 Forbidden\r\nContent-Length: 0\r\n\r\n"), "rights");
+  EXPECT_EQ(code("HTTP/1.1 404 Not Found\r\nContent-Length: 0\r\n\r\n"), "unavailable");
 }
 
 TEST(HttpClient, NamesTheUrlWhereNothingListens) {

@@ -51,6 +51,21 @@ ended: done
 )");
 }
 
+TEST(DerivationText, IsTheSameInParts) {
+  const auto step = [](int value) {
+    return R"({"micro": [], "state": {"active": ["R"], "results": {"R": {"n": )" + std::to_string(value) +
+           R"(, "same": 1}}}})";
+  };
+  const std::string end = R"("status": "ended", "outcome": "done")";
+  const std::string whole = text_of(R"({"steps": [)" + step(1) + ", " + step(2) + ", " + step(3) + "], " + end + "}");
+  DerivationText text;
+  std::string parts = text.steps(parse_json(R"({"steps": [)" + step(1) + ", " + step(2) + "]}").value());
+  parts += text.steps(parse_json(R"({"status": "running", "steps": [)" + step(3) + "]}").value());
+  EXPECT_EQ(parts + DerivationText::status(parse_json("{" + end + "}").value()), whole);
+  EXPECT_NE(whole.find("step 3\n  active R\n  set R res.n = 3\nended: done\n"), std::string::npos) << whole;
+  EXPECT_EQ(DerivationText(7).steps(parse_json(R"({"steps": [{}]})").value()), "step 7\n");
+}
+
 TEST(DerivationText, ShowsEveryFieldOfANode) {
   EXPECT_EQ(node_text(R"("rule": "Cond", "equation": "4.9", "at": "R/A", "port": "done", "value": null,
                           "requires": ["t.wait.result", "t.tick"], "refinement": "R2")"),
