@@ -125,6 +125,9 @@ std::function<int()> declare(Arguments& arguments) {
   const auto options = std::make_shared<Options>();
   arguments.positional("ACTION", options->action,
                        "list, add NAME, password NAME, role NAME, token NAME (prints it), remove NAME");
+  std::vector<std::string> names;
+  for (const Action& action : kActions) names.emplace_back(action.name);
+  arguments.suggest("ACTION", std::move(names));
   arguments.positionals("NAME", options->words, false);
   arguments.text("--data", "DIR", options->data, "of the server, which does not run meanwhile");
   arguments.choice("--role", "ROLE", options->role, kRoles,

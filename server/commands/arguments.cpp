@@ -133,6 +133,7 @@ void Arguments::number(const std::string& name, const std::string& placeholder, 
 void Arguments::choice(const std::string& name, const std::string& placeholder, std::string& value,
                        std::span<const std::string_view> words, const std::string& help) {
   app_->add_option(name, value, help)->type_name(placeholder)->capture_default_str()->check(one_of(words));
+  suggest(name, {words.begin(), words.end()});
 }
 
 void Arguments::names(const std::string& name, const std::string& placeholder, std::vector<std::string>& values,
@@ -149,6 +150,10 @@ void Arguments::names(const std::string& name, const std::string& placeholder, s
           },
           help)
       ->type_name(placeholder);
+}
+
+void Arguments::suggest(const std::string& name, std::vector<std::string> words) {
+  suggestions_[name] = std::move(words);
 }
 
 bool Arguments::given(const std::string& name) const { return app_->count(name) > 0; }
@@ -216,19 +221,56 @@ std::string Arguments::usage() const {
   return line;
 }
 
-std::string Arguments::help() const {
-  const auto all = arguments_of(*app_);
-  std::size_t width = 0;
-  for (const CLI::Option* option : all) width = std::max(width, label(*option).size());
-  std::string text;
-  for (const CLI::Option* option : all) {
+std::vector<Arguments::Description> Arguments::descriptions() const {
+  std::vector<Description> all;
+  for (const CLI::Option* option : arguments_of(*app_)) {
     if (option->get_description().empty()) continue;
     const std::string fallback = option->get_default_str();
-    const std::string name = label(*option);
-    text += "  " + name + std::string(width - name.size() + 3, ' ') + option->get_description();
-    text += (fallback.empty() || is_flag(*option) ? "" : " (" + fallback + ')') + '\n';
+    all.push_back({label(*option),
+                   option->get_description() + (fallback.empty() || is_flag(*option) ? "" : " (" + fallback + ')')});
   }
+  return all;
+}
+
+std::string Arguments::help() const {
+  std::size_t width = 0;
+  for (const CLI::Option* option : arguments_of(*app_)) width = std::max(width, label(*option).size());
+  std::string text;
+  for (const Description& each : descriptions())
+    text += "  " + each.label + std::string(width - each.label.size() + 3, ' ') + each.text + '\n';
   return text;
+}
+
+Arguments::Place Arguments::place_of(const CLI::Option& argument, std::string typed) const {
+  const auto found = suggestions_.find(argument.get_name());
+  return {argument.nonpositional() ? argument.get_type_name() : argument.get_name(),
+          found == suggestions_.end() ? std::vector<std::string>() : found->second, std::move(typed)};
+}
+
+Arguments::Place Arguments::place_of_last(const std::vector<std::string>& words) const {
+  const std::string& last = words.back();
+  std::size_t before = 0;  // positionals
+  for (std::size_t at = 0; at + 1 < words.size(); ++at) {
+    const CLI::Option* option = is_option(words[at]) ? app_->get_option_no_throw(words[at]) : nullptr;
+    const bool takes_next = option && !is_flag(*option);
+    if (takes_next && at + 2 == words.size()) return place_of(*option, last);
+    if (takes_next)
+      ++at;
+    else if (!is_option(words[at]))
+      ++before;
+  }
+  if (last.starts_with('-')) {
+    const std::size_t end = last.find('=');
+    if (end == std::string::npos) return {"", option_names(*app_), last};
+    const CLI::Option* option = app_->get_option_no_throw(last.substr(0, end));
+    return option && !is_flag(*option) ? place_of(*option, last.substr(end + 1)) : Place{""};
+  }
+  for (const CLI::Option* argument : arguments_of(*app_)) {
+    if (argument->nonpositional()) continue;
+    if (before == 0 || argument->get_expected_max() > 1) return place_of(*argument, last);
+    --before;
+  }
+  return {""};
 }
 
 Expected<Dict> read_object(const std::string& option, const std::string& text) {

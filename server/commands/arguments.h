@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -62,6 +63,9 @@ class Arguments {
   void names(const std::string& name, const std::string& placeholder, std::vector<std::string>& values,
              const std::string& help);
 
+  /// Words that a shell offers for the value of an argument, as it does those of choice().
+  void suggest(const std::string& name, std::vector<std::string> words);
+
   enum class Outcome : std::uint8_t { parsed, help_requested };
   /// Reads the words after the command's name into the variables. Errors, with the option or the word as path:
   /// `unknown_field` (there is no such option; the message has the one that is probably meant), `syntax` (a word too
@@ -74,16 +78,32 @@ class Arguments {
 
   /// "race run MODEL [--fast] [--seed N]"
   std::string usage() const;
-  /// A line for each argument that has a help text.
+  /// An argument that has a help text: "--seed N", and that text, with the default.
+  struct Description {
+    std::string label, text;
+  };
+  std::vector<Description> descriptions() const;
+  /// A line for each of these.
   std::string help() const;
+
+  /// What the last of some words after the command's name may become, while they are typed.
+  struct Place {
+    std::string placeholder;              // of the value that it is, such as "FILE"; empty: it is the name of an option
+    std::vector<std::string> words = {};  // that may stand there, if these are known
+    std::string typed = {};               // of the value
+  };
+  /// Requires a word, which may be empty.
+  Place place_of_last(const std::vector<std::string>& words) const;
 
  private:
   Error error_of(const std::string& message) const;
   Error misuse() const;
   Expected<void> check_standard_input() const;
+  Place place_of(const CLI::Option& argument, std::string typed) const;
 
   std::unique_ptr<CLI::App> app_;
   std::vector<const CLI::Option*> files_;
+  std::map<std::string, std::vector<std::string>> suggestions_;  // by argument
 };
 
 /// The JSON object that is the value of an option, such as `--arguments`, which is the path of errors: those of

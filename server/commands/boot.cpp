@@ -102,6 +102,7 @@ int run(const Options& options) {
 std::function<int()> declare(Arguments& arguments) {
   const auto options = std::make_shared<Options>();
   arguments.positional("ACTION", options->action, "list, set DOCUMENT, remove DOCUMENT");
+  arguments.suggest("ACTION", {"list", "set", "remove"});
   arguments.positionals("WORD", options->words, false);
   arguments.text("--arguments", "JSON", options->arguments, "of set: parameters of the task, an object");
   options->server.declare(arguments, "prints the list as JSON");

@@ -116,6 +116,9 @@ int run(const Options& options) {
 std::function<int()> declare(Arguments& arguments) {
   const auto options = std::make_shared<Options>();
   arguments.positional("ACTION", options->action, action_names());
+  std::vector<std::string> names;
+  for (const Action& action : kActions) names.emplace_back(action.name);
+  arguments.suggest("ACTION", std::move(names));
   arguments.positionals("WORD", options->words, false);
   arguments.text("--arguments", "JSON", options->arguments,
                  "parameters of the task, an object; for create, load, start");

@@ -1,5 +1,5 @@
-// race trace ID | --run RUN: the derivations of a run at a running server, as `race derive` prints them; with --follow,
-// as it goes on.
+// race trace ID | --run NUMBER: the derivations of a run at a running server, as `race derive` prints them; with
+// --follow, as it goes on.
 #include <algorithm>
 #include <cstdio>
 #include <limits>
@@ -19,7 +19,7 @@
 namespace race::server {
 namespace {
 
-constexpr std::int64_t kAtOnce = 100;   // steps of an answer
+constexpr std::int64_t kAtOnce = 100;    // steps of an answer
 constexpr int kBusy = 503, kTries = 50;  // ask again, ten seconds long
 
 struct Options {
@@ -106,7 +106,7 @@ class Trace {
 int run(const Options& options) {
   if (options.core.has_value() == options.run.has_value())
     return refuse(Error{options.core ? ErrorCode::syntax : ErrorCode::missing,
-                        "the form is `race trace ID`, of a core, or `race trace --run RUN`", "ID"},
+                        "the form is `race trace ID`, of a core, or `race trace --run NUMBER`", "ID"},
                   options.server.json);
   if (options.follow) end_on_signal(kExitOk);
   return Trace(options).print();
@@ -115,7 +115,7 @@ int run(const Options& options) {
 std::function<int()> declare(Arguments& arguments) {
   const auto options = std::make_shared<Options>();
   arguments.positional("ID", options->core, "the core that has the run");
-  arguments.text("--run", "RUN", options->run, "the number of a stored run, instead");
+  arguments.text("--run", "NUMBER", options->run, "a stored run, instead");
   arguments.number("--first", "N", options->first, {1, 1e9, true}, "the first macro step");
   arguments.flag("--follow", options->follow, "goes on until the run is over, or Ctrl-C");
   options->server.declare(arguments, "prints each macro step as a line of JSON (api/schemas/trace_step.json)");

@@ -151,8 +151,8 @@ class Run(unittest.TestCase):
 
 class Help(unittest.TestCase):
     COMMANDS = ("serve", "service", "run", "runs", "replay", "backup", "restore", "core", "boot", "account", "login", "logout",
-                "models", "pull", "push", "start", "stop", "services", "call", "trace", "log", "derive",
-                "check", "translate", "fmt")
+                "models", "pull", "push", "start", "stop", "services", "call", "trace", "log", "completion",
+                "derive", "check", "translate", "fmt", "man")
 
     def test_overview_names_each_command_with_its_options(self):
         status, lines, errors = race("--help")

@@ -69,19 +69,22 @@ TABLE = (
     (0, ("trace", "2", "--server", "SERVER")), (1, ("trace", "3", "--server", "SERVER")), (1, ("trace", "99", "--server", "SERVER")),
     (0, ("trace", "--run", "2", "--server", "SERVER")), (2, ("trace", "1", *NOWHERE)), (2, ("trace",)), (2, ("trace", "1", "--run", "1")),
     (0, ("log", "--server", "SERVER")), (2, ("log", *NOWHERE)),
+    (0, ("completion", "bash")), (2, ("completion", "fish")), (0, ("completion", "words", "--", "")), (0, ("man",)), (2, ("man", "x")),
     (2, ("service", "oven", *NOWHERE)), (2, ("service", "database")), (2, ("service", "database", "--server", "ftp://x")),
     (2, ("serve", "--remote", "oven")), (2, ("serve", "--data", "/proc/no")), (2, ("serve", "--operator", "no.json")),
 )
 COMMANDS = ("serve", "service", "run", "runs", "replay", "backup", "restore", "core", "boot", "account", "login", "logout",
-            "models", "pull", "push", "start", "stop", "services", "call", "trace", "log", "derive", "check",
-            "translate", "fmt")
+            "models", "pull", "push", "start", "stop", "services", "call", "trace", "log", "completion", "derive",
+            "check", "translate", "fmt", "man")
 # What a command needs at least.
 WORDS = {"service": ("database", *NOWHERE), "run": ("fine.rcm.json",), "replay": ("no.json",), "runs": ("--data", "none"),
          "restore": ("none",), "core": ("list",), "boot": ("list",),
          "account": ("list", "--data", "accounts"), "derive": ("fine.rcm.json", "script.json"),
-         "check": ("fine.rcm.json",), "translate": ("fine.rcm.json",), "fmt": ("fine.rcm.json",), "login": ("ada", *NOWHERE), "logout": NOWHERE,
+         "check": ("fine.rcm.json",), "translate": ("fine.rcm.json",), "fmt": ("fine.rcm.json",),
+         "login": ("ada", *NOWHERE), "logout": NOWHERE,
          "models": NOWHERE, "pull": NOWHERE, "push": ("fine.rcm.json", *NOWHERE), "start": ("a", *NOWHERE), "stop": ("1", *NOWHERE),
-         "services": NOWHERE, "call": ("timer.wait", *NOWHERE), "trace": ("1", *NOWHERE), "log": NOWHERE}
+         "services": NOWHERE, "call": ("timer.wait", *NOWHERE), "trace": ("1", *NOWHERE), "log": NOWHERE,
+         "completion": ("fish",)}
 
 
 class CommandCase(unittest.TestCase):

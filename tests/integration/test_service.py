@@ -158,6 +158,8 @@ class Installation(unittest.TestCase):
             self.assertTrue(Path(root, "etc/systemd/system/race.service").is_file())
             self.assertTrue(os.access(Path(root, "usr/local/bin/race"), os.X_OK))
             self.assertTrue(Path(root, "usr/local/share/race/demo/scene.json").is_file())
+            self.assertTrue(Path(root, "usr/local/share/man/man1/race.1").read_text().startswith(".TH RACE 1"))
+            self.assertIn("complete -F _race race", Path(root, "usr/local/share/bash-completion/completions/race").read_text())
 
 
 class Container(unittest.TestCase):

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace race::server {
 namespace {
 
@@ -86,6 +88,54 @@ TEST_F(ArgumentsTest, HelpIsTold) {
             "  --log FILE   a file\n"
             "  --port N     a number (7)\n"
             "  --fast       a flag\n");
+}
+
+TEST_F(ArgumentsTest, KnowWhatAWordMayBecome) {
+  const auto place = [this](const std::vector<std::string>& words) {
+    const auto place = arguments.place_of_last(words);
+    return place.placeholder + ':' + place.typed;
+  };
+  EXPECT_EQ(place({""}), "FILE:");
+  EXPECT_EQ(place({"a", "--fast", "b"}), "MORE:b");
+  EXPECT_EQ(place({"a", "b", "c"}), "MORE:c");
+  EXPECT_EQ(place({"--port", "1", "b"}), "FILE:b") << "1 is a value";
+  EXPECT_EQ(place({"--port=1", "b"}), "FILE:b");
+  EXPECT_EQ(place({"--slow", "b"}), "FILE:b");
+  EXPECT_EQ(place({"a", "--data", "d"}), "DIR:d");
+  EXPECT_EQ(place({"a", "--data=d"}), "DIR:d");
+  EXPECT_EQ(place({"a", "--fast=d"}), ":");
+  EXPECT_EQ(place({"a", "--f"}), ":--f");
+  EXPECT_EQ(arguments.place_of_last({"--"}).words,
+            (std::vector<std::string>{"--help", "--data", "--log", "--port", "--fast"}));
+}
+
+TEST(Arguments, OfferTheWordsThatTheyKnow) {
+  constexpr std::array<std::string_view, 2> kRoles = {"admin", "observer"};
+  std::string action, role;
+  std::optional<std::string> name;
+  Arguments arguments("test");
+  arguments.positional("ACTION", action);
+  arguments.positional("NAME", name);
+  arguments.suggest("ACTION", {"add", "list"});
+  arguments.choice("--role", "ROLE", role, kRoles, "of add");
+  EXPECT_EQ(arguments.place_of_last({""}).words, (std::vector<std::string>{"add", "list"}));
+  EXPECT_EQ(arguments.place_of_last({"--role", "a"}).words, (std::vector<std::string>{"admin", "observer"}));
+  EXPECT_TRUE(arguments.place_of_last({"add", ""}).words.empty());
+  EXPECT_EQ(arguments.place_of_last({"add", "ada", ""}).placeholder, "") << "it would be a word too many";
+}
+
+TEST(Arguments, OneMayBeAbsent) {
+  std::string action;
+  std::optional<std::string> name;
+  Arguments arguments("test");
+  arguments.positional("ACTION", action);
+  arguments.positional("NAME", name);
+  EXPECT_EQ(arguments.usage(), "race test ACTION [NAME]");
+  EXPECT_TRUE(arguments.parse({"add"}));
+  EXPECT_FALSE(name);
+  EXPECT_TRUE(arguments.parse({"add", "[a, b]"}));
+  EXPECT_EQ(name, "[a, b]");
+  EXPECT_EQ(arguments.parse({"add", "a", "b"}).error().path, "b");
 }
 
 TEST(Arguments, AWordTooManyOrTooFewIsNamed) {
