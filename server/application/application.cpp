@@ -41,7 +41,7 @@ Checked<std::unique_ptr<Application>> Application::create(const Setup& setup) {
       [raw = app.get()](const std::string& text) { raw->log("server", text, LogLevel::error); });
   if (auto created = app->create_cores(setup); !created) return of_store(std::move(created).error(), *app->folder_);
   app->create_metrics();
-  app->create_editing(setup);
+  if (auto created = app->create_editing(setup); !created) return of_store(std::move(created).error(), *app->folder_);
   if (setup.script)
     if (auto added = app->add_operator(*setup.script); !added) return tl::unexpected(std::move(added).error());
   app->name_damaged_documents();
@@ -59,9 +59,8 @@ Checked<void> Application::open_store(const Setup& setup) {
   auto documents = Documents::open(folder_->store());
   if (!documents) return of_store(std::move(documents).error(), *folder_);
   documents_ = std::move(*documents);
-  backups_ = std::make_unique<Backups>(
-      folder_->path(),
-      Backups::Users{.flush = [this] { flush_recordings(); }, .restored = [this] { return cores_->recover(); }});
+  backups_ = std::make_unique<Backups>(folder_->path(), Backups::Users{.flush = [this] { flush_recordings(); },
+                                                                       .restored = [this] { return reload(); }});
   auto runs = Runs::open(folder_->store());
   if (!runs) return of_store(std::move(runs).error(), *folder_);
   runs_ = std::move(*runs);
@@ -80,6 +79,9 @@ Checked<void> Application::open_store(const Setup& setup) {
   auto breakpoints = DocumentBreakpoints::open(folder_->store());
   if (!breakpoints) return of_store(std::move(breakpoints).error(), *folder_);
   breakpoints_ = std::move(*breakpoints);
+  auto proposals = Proposals::open(folder_->store());
+  if (!proposals) return of_store(std::move(proposals).error(), *folder_);
+  proposals_ = std::move(*proposals);
   if (setup.demo.empty()) return {};
   return documents_->put_demo(setup.demo, now_ms());
 }
@@ -185,12 +187,21 @@ Expected<void> Application::create_cores(const Setup& setup) {
   return recovered;
 }
 
+// The store is that of a backup.
+Expected<void> Application::reload() {
+  if (auto reloaded = proposing_->reload(); !reloaded) return reloaded;
+  return cores_->recover();
+}
+
 // Who follows documents is added to the watchers.
-void Application::create_editing(const Setup& setup) {
+Expected<void> Application::create_editing(const Setup& setup) {
   document_publisher_ = std::make_unique<DocumentPublisher>(*hub_);
   editing_ = std::make_unique<Editing>(*documents_, *document_publisher_, document_watchers_);
+  proposing_ = std::make_unique<Proposing>(*proposals_, *documents_, *editing_, *hub_);
+  document_watchers_.add(*proposing_);
   edits_ = std::make_unique<EditQueue>(*editing_, *hub_, *access_);
   presence_ = std::make_unique<PresenceChannels>(*hub_, deadlines_, setup.first_sequence);
+  return proposing_->reload();
 }
 
 Checked<void> Application::add_operator(const OperatorScript& script) {
@@ -300,14 +311,14 @@ void Application::log(const std::string& source, const std::string& text, LogLev
 }
 
 ChannelSources Application::channel_sources() {
-  return {*hub_, *cores_, *cell_, *displays_, *flows_, *log_, *edits_, *presence_, *control_};
+  return {*hub_, *cores_, *cell_, *displays_, *flows_, *log_, *edits_, *presence_, *proposing_, *control_};
 }
 
 Resources Application::resources() {
-  return {*documents_, *breakpoints_, *editing_, *boot_list_, *backups_, *runs_,     *samples_, *pictures_,
-          *cores_,     *live_edits_,  replays_,  deadlines_,  restores_, *cell_,     *log_,     answers_,
-          *accounts_,  *passwords_,   attempts_, tickets_,    *audit_,   authority_, *control_, *cell_stop_,
-          *metrics_,   *manual_,      pairings_, addresses_,  *queue_,   tasks_};
+  return {*documents_, *breakpoints_, *editing_,  *proposals_,  *proposing_, *boot_list_, *backups_, *runs_,
+          *samples_,   *pictures_,    *cores_,    *live_edits_, replays_,    deadlines_,  restores_, *cell_,
+          *log_,       answers_,      *accounts_, *passwords_,  attempts_,   tickets_,    *audit_,   authority_,
+          *control_,   *cell_stop_,   *metrics_,  *manual_,     pairings_,   addresses_,  *queue_,   tasks_};
 }
 
 }  // namespace race::server

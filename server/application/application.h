@@ -31,6 +31,7 @@
 #include "server/editing/edit_queue.h"
 #include "server/editing/editing.h"
 #include "server/editing/presence_channels.h"
+#include "server/editing/proposing.h"
 #include "server/execution/live_edits.h"
 #include "server/handlers/authority_certificate.h"
 #include "server/handlers/idempotency.h"
@@ -49,6 +50,7 @@
 #include "server/store/document_breakpoints.h"
 #include "server/store/documents.h"
 #include "server/store/journal_writer.h"
+#include "server/store/proposals.h"
 #include "server/store/runs.h"
 #include "server/stream/displays.h"
 #include "server/stream/flow_channels.h"
@@ -102,7 +104,8 @@ class Application {
   void create_stream(const Setup& setup);
   Checked<void> create_cell(const Setup& setup);
   Expected<void> create_cores(const Setup& setup);
-  void create_editing(const Setup& setup);
+  Expected<void> create_editing(const Setup& setup);
+  Expected<void> reload();
   void name_damaged_documents();
   void create_metrics();
   void count(const std::string& method, const std::string& path, int status);
@@ -144,6 +147,7 @@ class Application {
   std::unique_ptr<JournalWriter> writer_;
   std::unique_ptr<BootList> boot_list_;
   std::unique_ptr<DocumentBreakpoints> breakpoints_;
+  std::unique_ptr<Proposals> proposals_;
   std::unique_ptr<Pool> pool_;  // of the cores
   MemoryReturn memory_return_;
   Deadlines deadlines_;
@@ -164,6 +168,7 @@ class Application {
   std::unique_ptr<DocumentPublisher> document_publisher_;
   DocumentWatchers document_watchers_;
   std::unique_ptr<Editing> editing_;
+  std::unique_ptr<Proposing> proposing_;
   std::unique_ptr<EditQueue> edits_;
   std::unique_ptr<PresenceChannels> presence_;
   std::unique_ptr<Operator> operator_;  // destroyed first, when the cell that calls it has stopped

@@ -67,6 +67,10 @@ MaybeSource presence(const Parameters& parameters, const Sources& sources) {
   return Source{false, [name, &presence = sources.presence] { presence.publish_snapshot(name); }, {}};
 }
 
+MaybeSource proposals(const Parameters&, const Sources& sources) {
+  return Source{false, [&proposing = sources.proposing] { proposing.publish_snapshot(); }, {}};
+}
+
 // Calls `function` with the core that has the id now: it is another one once a model or arguments are loaded into it.
 template <typename F>
 auto on_core(const Cores& cores, const std::string& id, F function) {
@@ -100,6 +104,7 @@ constexpr std::array kChannels = {
     ChannelKind{kFlowChannel, flow},
     ChannelKind{kDocumentChannel, document},
     ChannelKind{kPresenceChannel, presence},
+    ChannelKind{kProposalsChannel, proposals},
     ChannelKind{kCoreStateChannel, core_state},
     ChannelKind{kCoreDerivationChannel, core_derivation},
 };

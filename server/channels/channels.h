@@ -12,6 +12,7 @@
 #include "server/control/control.h"
 #include "server/editing/edit_queue.h"
 #include "server/editing/presence_channels.h"
+#include "server/editing/proposing.h"
 #include "server/execution/cores.h"
 #include "server/log/event_log.h"
 #include "server/stream/displays.h"
@@ -31,6 +32,7 @@ struct ChannelSources {
   EventLog& log;
   EditQueue& edits;
   PresenceChannels& presence;
+  Proposing& proposing;
   Control& control;
 };
 

@@ -7,11 +7,10 @@ namespace race::server {
 Value accepted_edit_json(const DocumentPast::Edit& accepted, const std::vector<Error>& errors, EditDepths depths) {
   const auto& [revision, edit] = accepted;
   const Origin::Kind kind = revision.origin.kind;
-  const bool takes_back = kind == Origin::Kind::undo || kind == Origin::Kind::redo;
   Dict json{{"document", revision.document},    {"revision", revision.number},
             {"author", revision.change.author}, {"message", revision.change.message},
-            {"time", revision.change.time_ms},  {"kind", takes_back ? name(kind) : "change"}};
-  if (takes_back) json.set("of", revision.origin.revision);
+            {"time", revision.change.time_ms},  {"kind", takes_back(kind) ? name(kind) : "change"}};
+  if (takes_back(kind)) json.set("of", revision.origin.revision);
   if (!edit.request.empty()) json.set("request", edit.request);
   json.set("operations", *edit::write_edit(edit.edit).find("operations"));
   set_errors(json, errors);

@@ -25,7 +25,7 @@ bool replay(edit::History& history, const DocumentPast::Edit& stored, std::int64
   const std::string& author = revision.change.author;
   const auto of = static_cast<edit::Revision>(revision.origin.revision);
   const bool is_undo = revision.origin.kind == Origin::Kind::undo;
-  if (revision.origin.kind == Origin::Kind::edit || revision.origin.revision <= first) {
+  if (!takes_back(revision.origin.kind) || revision.origin.revision <= first) {
     const auto applied = history.apply(author, history.revision(), edit.edit);
     return applied && (*applied)->edit == edit.edit;
   }

@@ -15,6 +15,8 @@ class DocumentWatcher {
   /// A document has a new revision, which is durable. On the thread that has stored it, in the order of its revisions;
   /// the next edit of this document waits meanwhile, so it must be quick, and must not call Editing.
   virtual void document_changed(const std::string& name, std::int64_t revision, bool has_violations) = 0;
+  /// A document was removed, with all its revisions; the same holds. Who follows revisions alone does nothing.
+  virtual void document_removed(const std::string& /*name*/) {}
 };
 
 /// Tells all that were added, in order. add() is to be called before the first document changes.
@@ -25,6 +27,9 @@ class DocumentWatchers final : public DocumentWatcher {
 
   void document_changed(const std::string& name, std::int64_t revision, bool has_violations) override {
     for (DocumentWatcher* watcher : watchers_) watcher->document_changed(name, revision, has_violations);
+  }
+  void document_removed(const std::string& name) override {
+    for (DocumentWatcher* watcher : watchers_) watcher->document_removed(name);
   }
 
  private:

@@ -86,7 +86,10 @@ Checked<DocumentSession*> Editing::open(Document& document, const std::string& n
     if (!session) {
       const bool is_gone = session.error().front().code == ErrorCode::not_found;
       // A removal that was refused because the disk failed may have been stored all the same.
-      if (is_gone && std::exchange(document.last_known, 0) > 0) publisher_.ended(name, session.error());
+      if (is_gone && std::exchange(document.last_known, 0) > 0) {
+        publisher_.ended(name, session.error());
+        watcher_.document_removed(name);
+      }
       return tl::unexpected(std::move(session).error());
     }
     document.session.emplace(std::move(*session));
@@ -143,6 +146,10 @@ Checked<DocumentEntry> Editing::put(const std::string& name, std::string_view te
   return change_text(name, change, [&] { return documents_.put(name, text, change, options); });
 }
 
+Checked<DocumentEntry> Editing::accept(const std::string& name, std::int64_t proposal, const Change& change) {
+  return change_text(name, change, [&] { return documents_.accept(proposal, change); });
+}
+
 Checked<DocumentEntry> Editing::restore(const std::string& name, std::int64_t revision, const Change& change,
                                         std::optional<std::int64_t> seen) {
   return change_text(name, change, [&] { return documents_.restore(name, revision, change, seen); });
@@ -157,6 +164,7 @@ Expected<void> Editing::remove(const std::string& name, std::optional<std::int64
   if (!removed) return removed;
   document.last_known = 0;
   publisher_.ended(name, {{ErrorCode::not_found, "the document was removed", name}});
+  watcher_.document_removed(name);
   return {};
 }
 

@@ -53,9 +53,11 @@ class Editing {
   /// Makes an edit of the document as it is now.
   tl::expected<DocumentSession::EditResult, EditRefusal> edit(const std::string& name, const EditRequest& request)
       EXCLUDES(mutex_);
-  /// As Documents::put, restore and branch.
+  /// As Documents::put, accept, restore and branch.
   Checked<DocumentEntry> put(const std::string& name, std::string_view text, const Change& change,
                              Documents::Put options) EXCLUDES(mutex_);
+  /// `name`: the document of the proposal.
+  Checked<DocumentEntry> accept(const std::string& name, std::int64_t proposal, const Change& change) EXCLUDES(mutex_);
   Checked<DocumentEntry> restore(const std::string& name, std::int64_t revision, const Change& change,
                                  std::optional<std::int64_t> seen = {}) EXCLUDES(mutex_);
   Checked<DocumentEntry> branch(const std::string& name, const Documents::Branch& branch, const Change& change)

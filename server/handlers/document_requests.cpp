@@ -14,7 +14,12 @@ namespace {
 Value origin_json(const Origin& origin) {
   Dict json{{"kind", name(origin.kind)}};
   if (!origin.document.empty()) json.set("document", origin.document);
-  if (origin.revision > 0) json.set("revision", origin.revision);
+  if (origin.kind == Origin::Kind::proposal) {
+    json.set("author", origin.author);
+    json.set("proposal", std::to_string(origin.revision));
+  } else if (origin.revision > 0) {
+    json.set("revision", origin.revision);
+  }
   return json;
 }
 

@@ -17,10 +17,10 @@ class EventLog;
 
 /// What handlers use; each gets those that are its parameters. The pool is that of backups and their restores.
 using Resources =
-    std::tuple<Documents&, DocumentBreakpoints&, Editing&, BootList&, Backups&, Runs&, Samples&, Pictures&, Cores&,
-               LiveEdits&, Worker&, Deadlines&, Pool&, Cell&, EventLog&, IdempotentAnswers&, Accounts&, Passwords&,
-               Attempts&, Tickets&, AuditLog&, AuthorityCertificate&, Control&, CellStop&, Metrics&, ManualControl&,
-               Pairings&, NetworkAddresses&, RunQueue&, Tasks&>;
+    std::tuple<Documents&, DocumentBreakpoints&, Editing&, Proposals&, Proposing&, BootList&, Backups&, Runs&, Samples&,
+               Pictures&, Cores&, LiveEdits&, Worker&, Deadlines&, Pool&, Cell&, EventLog&, IdempotentAnswers&,
+               Accounts&, Passwords&, Attempts&, Tickets&, AuditLog&, AuthorityCertificate&, Control&, CellStop&,
+               Metrics&, ManualControl&, Pairings&, NetworkAddresses&, RunQueue&, Tasks&>;
 
 struct Route {
   std::string_view method;

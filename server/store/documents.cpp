@@ -8,6 +8,8 @@
 #include "core/rcm/document.h"
 #include "core/rcm/ids.h"
 #include "server/store/document_removal.h"
+#include "server/store/edit_between.h"
+#include "server/store/proposal_rows.h"
 #include "services/sqlite/file.h"
 #include "services/sqlite/write_transaction.h"
 
@@ -41,6 +43,10 @@ Expected<void> check_length(const std::string& text, std::size_t most, const cha
 Expected<void> check(const Change& change) {
   if (auto fits = check_length(change.author, Documents::kMaxAuthor, "author"); !fits) return fits;
   return check_length(change.message, Documents::kMaxMessage, "message");
+}
+
+ProposalDecision acceptance(const Change& by, std::int64_t revision) {
+  return {Proposal::Status::accepted, by.author, "", by.time_ms, revision};
 }
 
 tl::unexpected<Error> no_document(const std::string& name) {
@@ -133,18 +139,78 @@ Checked<DocumentEntry> Documents::put(const std::string& name, std::string_view 
 
 Expected<DocumentEntry> Documents::put_next(const std::string& name, std::string_view text, DocumentText& document,
                                             const Change& change, const Put& options) {
-  ASSIGN_OR_RETURN(const auto old, head(name));
-  if (options.is_new && old) return unexpected(ErrorCode::conflict, "there is a document of this name", name);
-  if (options.seen && (!old || old->revision.number != *options.seen)) return another_revision(name);
-  ASSIGN_OR_RETURN(std::string next, next_text(document, text, old ? old->text : ""));
+  ASSIGN_OR_RETURN(Next next, next_of(name, text, document, options));
   DocumentEntry out{{}, std::move(document.json), std::move(document.errors)};
-  if (old && old->text == next) {
-    out.revision = old->revision;
+  if (next.old && next.old->text == next.text) {
+    out.revision = next.old->revision;
     return out;
   }
   const auto errors = static_cast<std::int64_t>(out.errors.size());
-  ASSIGN_OR_RETURN(out.revision, append({{name, 1, change, {}, errors, doc_of(document.document)}, std::move(next)}));
-  out.is_new = !old;
+  ASSIGN_OR_RETURN(out.revision,
+                   append({{name, 1, change, {}, errors, doc_of(document.document)}, std::move(next.text)}));
+  out.is_new = !next.old;
+  return out;
+}
+
+Expected<Documents::Next> Documents::next_of(const std::string& name, std::string_view text, DocumentText& document,
+                                             const Put& options) {
+  ASSIGN_OR_RETURN(auto old, head(name));
+  if (options.is_new && old) return unexpected(ErrorCode::conflict, "there is a document of this name", name);
+  if (options.seen && (!old || old->revision.number != *options.seen)) return another_revision(name);
+  ASSIGN_OR_RETURN(std::string next, next_text(document, text, old ? old->text : ""));
+  return Next{std::move(old), std::move(next)};
+}
+
+Checked<std::string> Documents::prepare(const std::string& name, std::string_view text, const Put& options) try {
+  if (auto fits = check_name(name, name); !fits) return failed(std::move(fits).error());
+  auto document = read_document_or_draft(text);
+  if (!document) return tl::unexpected(std::move(document).error());
+  if (!options.draft && !document->errors.empty()) return tl::unexpected(std::move(document->errors));
+  const services::MutexLock lock(mutex_);
+  auto next = next_of(name, text, *document, options);
+  if (!next) return failed(std::move(next).error());
+  return std::move(next->text);
+} catch (const SQLite::Exception& exception) {
+  return failure(kCannotRead, exception);
+}
+
+Checked<DocumentEntry> Documents::accept(std::int64_t proposal, const Change& change) try {
+  if (auto fits = check(change); !fits) return failed(std::move(fits).error());
+  const services::MutexLock lock(mutex_);
+  const auto proposed = read_proposal(*file_, proposal);
+  if (!proposed) return failed(proposed.error());
+  auto document = read_document_or_draft(proposed->text);
+  if (!document) return tl::unexpected(std::move(document).error());
+  if (!document->errors.empty()) return tl::unexpected(std::move(document->errors));
+  return checked(put_proposed(*proposed, *document, change));
+} catch (const SQLite::Exception& exception) {
+  return failure("cannot accept proposal " + std::to_string(proposal), exception);
+}
+
+Expected<DocumentEntry> Documents::put_proposed(const ProposalText& proposed, DocumentText& document,
+                                                const Change& change) {
+  const Proposal& proposal = proposed.proposal;
+  if (auto open = check_open(proposal); !open) return tl::unexpected(std::move(open).error());
+  Put options;
+  options.is_new = proposal.base == 0;
+  if (proposal.base > 0) options.seen = proposal.base;
+  ASSIGN_OR_RETURN(Next next, next_of(proposal.document, proposed.text, document, options));
+  DocumentEntry out{{}, std::move(document.json), {}};
+  if (next.old && next.old->text == next.text) {
+    sqlite::WriteTransaction transaction(*file_);
+    out.revision = std::move(next.old->revision);
+    auto done = decide_proposal(*file_, proposal.id, acceptance(change, out.revision.number));
+    if (!done) return tl::unexpected(std::move(done).error());
+    transaction.commit();
+    return out;
+  }
+  const Origin origin{Origin::Kind::proposal, "", proposal.id, proposal.author};
+  const std::int64_t number = next.old ? next.old->revision.number + 1 : 1;
+  RevisionText accepted{{proposal.document, number, change, origin, 0, doc_of(document.document)},
+                        std::move(next.text)};
+  const auto edit = next.old ? edit_between(*next.old, accepted) : std::nullopt;
+  ASSIGN_OR_RETURN(out.revision, append(std::move(accepted), edit ? &*edit : nullptr, proposal.id));
+  out.is_new = !next.old;
   return out;
 }
 
@@ -268,7 +334,7 @@ Expected<RevisionText> Documents::find(const std::string& name, std::optional<st
 
 // Only this connection writes documents, so what was read before is still so; the transaction is short, as the journals
 // of runs wait for it.
-Expected<Revision> Documents::append(RevisionText next, const RevisionEdit* edit) {
+Expected<Revision> Documents::append(RevisionText next, const RevisionEdit* edit, std::optional<std::int64_t> accepts) {
   sqlite::WriteTransaction transaction(*file_);
   ASSIGN_OR_RETURN(const auto range, find_range(*file_, next.revision.document));
   if (!range && count_documents(*file_) >= limits_.documents)
@@ -283,6 +349,9 @@ Expected<Revision> Documents::append(RevisionText next, const RevisionEdit* edit
   if (edit && (!range || next.revision.number != number)) return another_revision(next.revision.document);
   next.revision.number = number;
   add_revision(*file_, next, range ? range->first : number, edit);
+  if (accepts)
+    if (auto done = decide_proposal(*file_, *accepts, acceptance(next.revision.change, number)); !done)
+      return tl::unexpected(std::move(done).error());
   transaction.commit();
   return std::move(next.revision);
 }

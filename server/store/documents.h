@@ -18,6 +18,7 @@
 #include "core/value/expected.h"
 #include "core/value/value.h"
 #include "server/store/document_text.h"
+#include "server/store/proposal.h"
 #include "server/store/revision.h"
 #include "server/store/revision_rows.h"
 #include "services/mutex.h"
@@ -96,6 +97,12 @@ class Documents {
   Checked<DocumentEntry> put(const std::string& name, std::string_view text, const Change& change = {}) {
     return put(name, text, change, Put{});
   }
+  /// The text that put() would store, which is not stored. Errors: those of put(), but those of its limits.
+  Checked<std::string> prepare(const std::string& name, std::string_view text, const Put& options) EXCLUDES(mutex_);
+  /// Stores an open proposal as the next revision of its document, and that it is accepted, both or neither. One that
+  /// proposes the last text again keeps its revision. Errors: `not_found`; every violation, by today's rules;
+  /// `conflict`: it was decided before, or its `base` is not the last revision; `too_large`.
+  Checked<DocumentEntry> accept(std::int64_t proposal, const Change& change) EXCLUDES(mutex_);
   /// Makes the text of `revision` the next revision; that of the last one keeps its revision. `not_found`, `too_large`;
   /// `conflict`: the last revision is not `seen`; what entry() says of a text that is no draft.
   Checked<DocumentEntry> restore(const std::string& name, std::int64_t revision, const Change& change,
@@ -133,14 +140,25 @@ class Documents {
   Expected<std::optional<RevisionText>> head(const std::string& name) REQUIRES(mutex_);
   Expected<RevisionText> find(const std::string& name, std::optional<std::int64_t> revision) REQUIRES(mutex_);
   Expected<RevisionText> find_past(const std::string& name, std::int64_t most, DocumentPast& out) EXCLUDES(mutex_);
+  struct Next {
+    std::optional<RevisionText> old;  // the last revision, if there is one
+    std::string text;                 // of the next one
+  };
+  /// Errors: those of `options`, and of next_text (document_text.h).
+  Expected<Next> next_of(const std::string& name, std::string_view text, DocumentText& document, const Put& options)
+      REQUIRES(mutex_);
+  Expected<DocumentEntry> put_proposed(const ProposalText& proposed, DocumentText& document, const Change& change)
+      REQUIRES(mutex_);
   Expected<DocumentEntry> put_next(const std::string& name, std::string_view text, DocumentText& document,
                                    const Change& change, const Put& options) REQUIRES(mutex_);
   Checked<void> put_demo_file(const std::string& name, const std::string& path, std::int64_t now_ms) EXCLUDES(mutex_);
   /// A text as the next revision of `name`.
   Checked<DocumentEntry> append_copy(RevisionText copy, const std::string& name, Origin origin, const Change& change)
       REQUIRES(mutex_);
-  /// After the last revision, or as the first one. Error `too_large`.
-  Expected<Revision> append(RevisionText next, const RevisionEdit* edit = nullptr) REQUIRES(mutex_);
+  /// After the last revision, or as the first one; the proposal `accepts` is decided with it. Errors: `too_large`;
+  /// `conflict`: that was decided before.
+  Expected<Revision> append(RevisionText next, const RevisionEdit* edit = nullptr,
+                            std::optional<std::int64_t> accepts = {}) REQUIRES(mutex_);
 
   services::Mutex mutex_;
   const Limits limits_;

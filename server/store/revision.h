@@ -11,26 +11,30 @@ namespace race::server {
 /// Where the text of a revision comes from.
 struct Origin {
   enum class Kind {
-    put,      // a client sent it
-    restore,  // of `revision` of the same document
-    branch,   // of `revision` of `document`
-    demo,     // of the server's demo
-    older,    // an older version of the program stored it, which kept no more than the text
-    edit,     // an edit made it of the revision before
-    undo,     // so did one that takes back the edit that made `revision`
-    redo,     // so did one that takes back the undo that made `revision`
+    put,       // a client sent it
+    restore,   // of `revision` of the same document
+    branch,    // of `revision` of `document`
+    demo,      // of the server's demo
+    older,     // an older version of the program stored it, which kept no more than the text
+    edit,      // an edit made it of the revision before
+    undo,      // so did one that takes back the edit that made `revision`
+    redo,      // so did one that takes back the undo that made `revision`
+    proposal,  // `author` has proposed it, and who made the revision accepted it; `revision`: id of the proposal
   };
   Kind kind = Kind::put;
   std::string document = {};
   std::int64_t revision = 0;
+  std::string author = {};
   bool operator==(const Origin&) const = default;
 };
 
 /// As routes and the store write it, such as "restore".
 const char* name(Origin::Kind kind);
-/// Whether it is what an edit made of the revision before.
+/// Whether it takes back what made another revision.
+inline bool takes_back(Origin::Kind kind) { return kind == Origin::Kind::undo || kind == Origin::Kind::redo; }
+/// Whether it is what an edit made of the revision before. That of an accepted proposal is one, where one leads there.
 inline bool is_edit(Origin::Kind kind) {
-  return kind == Origin::Kind::edit || kind == Origin::Kind::undo || kind == Origin::Kind::redo;
+  return kind == Origin::Kind::edit || kind == Origin::Kind::proposal || takes_back(kind);
 }
 
 /// Numbers of revisions of a document, without gaps.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "server/store/digest_column.h"
 #include "server/store/document_removal.h"
@@ -14,8 +15,9 @@
 namespace race::server {
 namespace {
 
-constexpr std::array kKinds = {Origin::Kind::put,   Origin::Kind::restore, Origin::Kind::branch, Origin::Kind::demo,
-                               Origin::Kind::older, Origin::Kind::edit,    Origin::Kind::undo,   Origin::Kind::redo};
+constexpr std::array kKinds = {Origin::Kind::put,  Origin::Kind::restore, Origin::Kind::branch,
+                               Origin::Kind::demo, Origin::Kind::older,   Origin::Kind::edit,
+                               Origin::Kind::undo, Origin::Kind::redo,    Origin::Kind::proposal};
 
 // All columns of `revision` but `text`.
 constexpr const char* kColumns =
@@ -32,10 +34,15 @@ sqlite::Digest digest_of(const std::string& name, RevisionRange range) {
   return sqlite::sha256_of({name, std::to_string(range.first), std::to_string(range.last)});
 }
 
+/// What the column `from_document` says: of a proposal, who has made it.
+const std::string& source_of(const Origin& origin) {
+  return origin.kind == Origin::Kind::proposal ? origin.author : origin.document;
+}
+
 sqlite::Digest digest_of(const Revision& revision, std::string_view text_digest) {
   const auto& [document, number, change, origin, errors, doc] = revision;
   return sqlite::sha256_of({document, std::to_string(number), change.author, std::to_string(change.time_ms),
-                            change.message, name(origin.kind), origin.document, std::to_string(origin.revision),
+                            change.message, name(origin.kind), source_of(origin), std::to_string(origin.revision),
                             std::to_string(errors), doc, text_digest});
 }
 
@@ -56,7 +63,9 @@ Row read_entry(SQLite::Statement& select, int first = 0) {
                   number(8), text(9)};
   row.text_digest = text(10);
   if (known == kKinds.end()) return row;
-  row.revision.origin.kind = *known;
+  Origin& origin = row.revision.origin;
+  origin.kind = *known;
+  if (*known == Origin::Kind::proposal) std::swap(origin.author, origin.document);
   row.is_sound = sqlite::bytes(digest_of(row.revision, row.text_digest)) == text(11);
   return row;
 }
@@ -129,6 +138,8 @@ const char* name(Origin::Kind kind) {
       return "undo";
     case Origin::Kind::redo:
       return "redo";
+    case Origin::Kind::proposal:
+      return "proposal";
   }
   return "";
 }
@@ -236,7 +247,7 @@ void add_revision(SQLite::Database& file, const RevisionText& added, std::int64_
   insert.bind(4, revision.change.time_ms);
   insert.bind(5, revision.change.message);
   insert.bind(6, name(revision.origin.kind));
-  insert.bind(7, revision.origin.document);
+  insert.bind(7, source_of(revision.origin));
   insert.bind(8, revision.origin.revision);
   insert.bind(9, revision.errors);
   insert.bind(10, revision.doc);

@@ -90,9 +90,20 @@ void add_pictures(SQLite::Database& file) {
       " PRIMARY KEY (run, number)) WITHOUT ROWID;");
 }
 
-constexpr std::array<sqlite::Migration, 10> kMigrations = {
-    give_document_ids,     add_runs,        add_revisions, add_boot,    add_removals, add_edits,
-    add_removed_documents, add_breakpoints, add_timing,    add_pictures};
+// 11: what was proposed (proposal.h). base: the revision that it changes, 0: it is a new document; status:
+// Proposal::Status; times: milliseconds since 1970; revision: that accepting it has made, else 0; bytes: of `text`;
+// text_digest: sha256(text). The digest of a row is of all fields but `text`, so that a list reads no texts.
+void add_proposals(SQLite::Database& file) {
+  file.exec(
+      "CREATE TABLE proposal (id INTEGER PRIMARY KEY, document TEXT NOT NULL, base INTEGER NOT NULL,"
+      " author TEXT NOT NULL, note TEXT NOT NULL, created INTEGER NOT NULL, status TEXT NOT NULL,"
+      " decided_by TEXT NOT NULL, reason TEXT NOT NULL, decided INTEGER NOT NULL, revision INTEGER NOT NULL,"
+      " bytes INTEGER NOT NULL, text_digest BLOB NOT NULL, digest BLOB NOT NULL, text TEXT NOT NULL)");
+}
+
+constexpr std::array<sqlite::Migration, 11> kMigrations = {
+    give_document_ids,     add_runs,        add_revisions, add_boot,     add_removals, add_edits,
+    add_removed_documents, add_breakpoints, add_timing,    add_pictures, add_proposals};
 
 }  // namespace
 

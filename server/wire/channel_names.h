@@ -14,6 +14,7 @@ inline constexpr std::string_view kCellPoseChannel = "cell/pose";
 inline constexpr std::string_view kDisplayChannel = "display/{name}";
 inline constexpr std::string_view kFlowChannel = "flow/{service}/{flow}";
 inline constexpr std::string_view kDocumentChannel = "document/{name}";
+inline constexpr std::string_view kProposalsChannel = "proposals";
 inline constexpr std::string_view kPresenceChannel = "presence/{name}";
 inline constexpr std::string_view kCoreStateChannel = "core/{id}/state";
 inline constexpr std::string_view kCoreDerivationChannel = "core/{id}/derivation";

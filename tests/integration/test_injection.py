@@ -44,7 +44,7 @@ HEADERS = {"server", "content-type", "content-length", "cache-control", "connect
            "allow", "location", "etag", "retry-after", "upgrade", "content-disposition", "vary", "idempotency-replayed"}
 KEPT = {"/health": "health", "/documents": "documents", "/documents/target": "document_entry", "/documents/target/revisions": "revisions",
         "/accounts": "accounts", "/runs": "runs", "/cores": "cores", "/boot": "boot", "/audit": "audit", "/backups": "backups",
-        "/cell": "scene", "/services": "services"}
+        "/cell": "scene", "/services": "services", "/proposals": "proposals"}
 LOGIN = ("POST", "/api/v1/login")  # first: after ten that fail, no name is looked at any more
 # What the server may read outside of its folders once it runs, whatever it is asked: what memory (glibc), threads and the clock need.
 SYSTEM_FILES = ("/proc/sys/vm/overcommit_memory", "/sys/devices/system/cpu/", "/dev/urandom", "/etc/localtime", "/usr/share/zoneinfo/")
@@ -105,6 +105,8 @@ class Fixture:
         digest = server.get("/accounts/observer/tokens", "account_tokens")["tokens"][0]["digest"]
         scene = server.get("/cell", "scene")
         self.backup = server.post("/backups", None, "backup", 201)["name"]
+        proposed = {"document": models.ticking(), "note": "why"}
+        self.proposal = server.post("/documents/proposed/proposals", proposed, "proposal", 201)["id"]
         self.values = {"run": run, "with": run, "id": core, "digest": digest, "file": scene["robots"][0]["urdf"], "number": "0",
                        "service": "db", "revision": "1", "step": "1", "author": "admin"}
         self.begun = time.time()
@@ -112,6 +114,8 @@ class Fixture:
     def known(self, pattern, name):
         if name == "name":
             return {"documents": "target", "accounts": "observer", "backups": self.backup}[pattern.split("/")[3]]
+        if name == "id" and pattern.startswith("/api/v1/proposals/"):
+            return self.proposal
         return self.values[name]
 
 

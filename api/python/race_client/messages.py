@@ -984,6 +984,41 @@ class Problem(TypedDict):
     more_errors: NotRequired[Literal[True]]
 
 
+class Proposal(TypedDict):
+    """api/schemas/proposal.json"""
+    id: str
+    document: str
+    base_revision: int | None
+    author: str
+    note: str
+    created: int
+    status: Literal['open', 'outdated', 'accepted', 'declined', 'withdrawn']
+    decided_by: NotRequired[str]
+    decided: NotRequired[int]
+    reason: NotRequired[str]
+    revision: NotRequired[int]
+    proposed: NotRequired[dict[str, Json]]
+
+
+class ProposalDecline(TypedDict):
+    """api/schemas/proposal_decline.json"""
+    reason: NotRequired[str]
+
+
+class ProposalRequest(TypedDict):
+    """api/schemas/proposal_request.json"""
+    document: Document
+    revision: NotRequired[int | None]
+    note: NotRequired[str]
+
+
+class Proposals(TypedDict):
+    """api/schemas/proposals.json"""
+    proposals: list[Proposal]
+    next: NotRequired[str]
+    damaged: NotRequired[list[ServerError]]
+
+
 class PublishedFlow(TypedDict):
     """api/schemas/service_state.json#/$defs/published_flow"""
     flow: str
@@ -1144,7 +1179,7 @@ class RcmState(TypedDict):
     meta: NotRequired[RcmMeta]
 
 # api/schemas/revisions.json#/$defs/revision_origin
-RevisionOrigin: TypeAlias = "RevisionOriginKind | RevisionOriginKindRevision | RevisionOriginBranch"
+RevisionOrigin: TypeAlias = "RevisionOriginKind | RevisionOriginKindRevision | RevisionOriginBranch | RevisionOriginProposal"
 
 
 class RevisionOriginBranch(TypedDict):
@@ -1163,6 +1198,13 @@ class RevisionOriginKindRevision(TypedDict):
     """a part of api/schemas/revisions.json"""
     kind: Literal['restore', 'undo', 'redo']
     revision: int
+
+
+class RevisionOriginProposal(TypedDict):
+    """a part of api/schemas/revisions.json"""
+    kind: Literal['proposal']
+    author: str
+    proposal: str
 
 
 class Revisions(TypedDict):

@@ -44,6 +44,7 @@ std::map<std::string, std::string> requests() {
     }
     if (line.starts_with("      requestBody:")) out[route] += " body";
     if (line.find("parameters/IdempotencyKey") != std::string::npos) out[route] += " key";
+    if (line.find("parameters/ProposalAuthor") != std::string::npos) out[route] += " author";
     const auto name = line.find("{ name: ");
     if (name != std::string::npos && line.find("in: query") != std::string::npos)
       out[route] += " " + line.substr(name + 8, line.find(',') - name - 8);

@@ -79,7 +79,7 @@ TEST_F(StoredPictures, OfARunThatIsGoneAreNotKept) {
 
 TEST_F(StoredPictures, AreNoneOfRunsThatAnOlderVersionStored) {
   SQLite::Database(path(), SQLite::OPEN_READWRITE)
-      .exec("DROP TABLE picture; DROP TABLE picturing; PRAGMA user_version = 9");
+      .exec("DROP TABLE picture; DROP TABLE picturing; DROP TABLE proposal; PRAGMA user_version = 9");
   const auto upgraded = Pictures::open(path()).value();
   EXPECT_TRUE(upgraded->list(1)->empty());
   ASSERT_TRUE(upgraded->append(1, {picture(0)}));

@@ -144,7 +144,8 @@ TEST_F(StoredTiming, ComesWithAnImportedRun) {
 
 TEST_F(StoredTiming, IsNotKnownOfRunsThatAnOlderVersionStored) {
   SQLite::Database(path(), SQLite::OPEN_READWRITE)
-      .exec("DROP TABLE timing; DROP TABLE picture; DROP TABLE picturing; PRAGMA user_version = 8");
+      .exec(
+          "DROP TABLE timing; DROP TABLE picture; DROP TABLE picturing; DROP TABLE proposal; PRAGMA user_version = 8");
   const auto upgraded = open();
   EXPECT_EQ(upgraded->get(1)->document, "task");
   write(block(1, 1));

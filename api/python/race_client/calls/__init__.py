@@ -60,6 +60,7 @@ from .documents import (
     get_revision,
     list_documents,
     list_revisions,
+    propose_document,
     put_document,
     put_document_breakpoints,
     restore_document,
@@ -70,6 +71,13 @@ from .me import (
 )
 from .pair import (
     pair,
+)
+from .proposals import (
+    accept_proposal,
+    decline_proposal,
+    get_proposal,
+    list_proposals,
+    withdraw_proposal,
 )
 from .queue import (
     cancel_queued_run,
@@ -125,6 +133,7 @@ STREAM_PATH = "/api/v1/stream"
 
 __all__ = [
     "STREAM_PATH",
+    "accept_proposal",
     "answer_control_request",
     "branch_document",
     "call_service",
@@ -141,6 +150,7 @@ __all__ = [
     "create_pairing",
     "create_ticket",
     "create_token",
+    "decline_proposal",
     "delete_account",
     "delete_backup",
     "delete_core",
@@ -171,6 +181,7 @@ __all__ = [
     "get_metrics",
     "get_past",
     "get_person",
+    "get_proposal",
     "get_queued_run",
     "get_revision",
     "get_rules",
@@ -192,6 +203,7 @@ __all__ = [
     "list_backups",
     "list_cores",
     "list_documents",
+    "list_proposals",
     "list_queue",
     "list_revisions",
     "list_runs",
@@ -202,6 +214,7 @@ __all__ = [
     "log_out",
     "pair",
     "pause_core",
+    "propose_document",
     "put_boot",
     "put_document",
     "put_document_breakpoints",
@@ -220,4 +233,5 @@ __all__ = [
     "step_core",
     "stop_cell",
     "stop_core",
+    "withdraw_proposal",
 ]

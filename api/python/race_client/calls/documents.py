@@ -1,7 +1,7 @@
 """Routes of api/openapi.yaml: documents. Made by generate/main.py. The request filter of the server may also refuse each."""
 from ..call import Call, segment
 from ..messages import (AcceptedEdit, Document, DocumentBranch, DocumentBreakpoints, DocumentEntry, DocumentRemoved,
-                        DocumentRestore, Documents, EditRequest, Native, Revisions)
+                        DocumentRestore, Documents, EditRequest, Native, Proposal, ProposalRequest, Revisions)
 
 
 def list_documents(*, after: str | None = None, limit: int | None = None) -> Call[Documents]:
@@ -335,3 +335,42 @@ def get_document_native(name: str) -> Call[Native]:
     interrupted. Ask again when it works.
     """
     return Call("GET", f"/api/v1/documents/{segment(name)}/native")
+
+
+def propose_document(name: str, body: ProposalRequest, *, author: str | None = None,
+                     idempotency_key: str | None = None) -> Call[Proposal]:
+    """Proposes a change of a document, or a new one. It changes nothing until somebody who may change documents accepts it.
+
+    Who may not change documents proposes; who may does not need to. The document is checked as one that is put: it must have no
+    violations, and is kept with ids. At most 100 proposals are open, 20 of an author, with documents of at most 64 MiB, 32 MiB of
+    an author; of those that are decided, the last 200 are kept, with documents of at most 64 MiB. The channel `proposals` of the
+    stream tells of them.
+
+    name: Of a document.
+
+    author: Who does it: their account, or one of their pages, `NAME~...`; absent: the account.
+
+    idempotency_key: Chosen by the client, another one for each request. A request that is sent again with its key is answered as
+    the first time, with `Idempotency-Replayed: true`, and creates nothing more: also if the first answer was lost. Refused
+    requests may be sent again. Another request with the key is refused with 422, one that comes while the first is under way with
+    409 (`conflict`). The last 1000 answers are kept, while the server runs.
+
+    400: The body is no JSON or out of its limits (`json`, `too_deep`, `out_of_range`), or the document with its ids would be too
+    deep to be read again (`too_deep`).
+
+    409: `conflict`: `revision` is not the last one; or it says none, and there is a document of this name.
+
+    413: With its links the document has too many states, or its text with the ids would be too large to be read again; the note
+    is too long; too many proposals are open, or too large ones, in all or of this author (`too_large`).
+
+    422: Every violation of the request, or of the document that it brings or names.
+
+    500: What is stored is damaged (`corrupt`); the error names the part.
+
+    503: The store cannot be read or written (`io`), or others change the same document and take long (`unavailable`): ask again.
+
+    507: The disk is full, fails or hangs (`storage`). Nothing is changed, or it is not known yet what is stored: then the run is
+    interrupted. Ask again when it works.
+    """
+    return Call("POST", f"/api/v1/documents/{segment(name)}/proposals", query={"author": author},
+                headers={"Idempotency-Key": idempotency_key}, body=body)
