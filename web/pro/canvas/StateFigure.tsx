@@ -1,20 +1,13 @@
 // A state as a figure in the page, drawn as the canvas draws it.
-import { createElement, useEffect, useId, useMemo, useState, type ReactElement } from "react";
+import { useEffect, useId, useMemo, useState } from "react";
 import { aspectFor } from "../../shared/drawing/aspect";
 import type { Drawing } from "../../shared/drawing/drawing";
 import { layoutModel } from "../../shared/drawing/layout";
 import type { Detail } from "../../shared/drawing/measure";
-import { drawingSvg, type SvgElement } from "../../shared/drawing/svg";
+import { drawingSvg } from "../../shared/drawing/svg";
 import type { State } from "../../shared/model/model";
 import { layoutInWorkers } from "./layoutEngine";
-
-/** React's names of the attributes that it writes in another way. */
-const kReactNames: Readonly<Record<string, string>> = { class: "className", "marker-end": "markerEnd" };
-
-function rendered({ tag, attributes, children }: SvgElement, key?: number): ReactElement {
-  const props = Object.fromEntries(Object.entries(attributes).map(([name, value]) => [kReactNames[name] ?? name, value]));
-  return createElement(tag, { ...props, key }, ...children.map((child, i) => (typeof child === "string" ? child : rendered(child, i))));
-}
+import { SvgFigure } from "./SvgFigure";
 
 /** Of a figure: one of those that layouts are kept for. */
 const kAspect = aspectFor({ width: 2, height: 1 });
@@ -44,5 +37,5 @@ export function StateFigure({ of, title }: Props) {
     );
     return () => end.abort();
   }, [of]);
-  return useMemo(() => (drawing === undefined ? <p className="quiet">Drawing…</p> : rendered(drawingSvg(drawing, { prefix, title }))), [drawing, prefix, title]);
+  return useMemo(() => (drawing === undefined ? <p className="quiet">Drawing…</p> : <SvgFigure of={drawingSvg(drawing, { prefix, title })} />), [drawing, prefix, title]);
 }

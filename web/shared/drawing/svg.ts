@@ -11,6 +11,8 @@ export interface SvgElement {
 }
 
 const element = (tag: SvgElement["tag"], attributes: SvgElement["attributes"], ...children: readonly (SvgElement | string)[]): SvgElement => ({ tag, attributes, children });
+/** For what others add to a drawing. */
+export { element as svgElement };
 
 const kHead = 30;
 /** Size of the name of a state, as in the style sheet. */
