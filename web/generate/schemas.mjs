@@ -31,6 +31,8 @@ export const kRead = [
   "presence.json#/$defs/presence_joined",
   "presence.json#/$defs/presence_snapshot",
   "problem.json",
+  "proposal.json",
+  "proposals.json",
   "health.json",
   "journal.json",
   "login_answer.json",
@@ -74,7 +76,7 @@ export const kRead = [
 export const kReadByStop = ["control.json", "problem.json"];
 
 /** Messages that the pages write. */
-export const kWritten = ["account_change.json", "account_create.json", "breakpoints.json", "cell_reset.json", "control_answer.json", "control_mode.json", "control_request.json", "core_confirm_edit.json", "core_create.json", "core_resume.json", "core_start.json", "document_branch.json", "document_restore.json", "edit.json", "force.json", "login.json", "pair.json", "pairing_create.json", "password_change.json", "person_command.json", "service_call.json", "step_request.json", "stream_request.json", "token_create.json"];
+export const kWritten = ["account_change.json", "account_create.json", "breakpoints.json", "cell_reset.json", "control_answer.json", "control_mode.json", "control_request.json", "core_confirm_edit.json", "core_create.json", "core_resume.json", "core_start.json", "document_branch.json", "document_restore.json", "edit.json", "force.json", "login.json", "pair.json", "pairing_create.json", "password_change.json", "person_command.json", "proposal_decline.json", "service_call.json", "step_request.json", "stream_request.json", "token_create.json"];
 
 /** Names of types that are not the names of their schemas. */
 const kNames = new Map([

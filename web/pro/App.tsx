@@ -47,6 +47,7 @@ import { TopBar } from "./panels/TopBar";
 import { showRuns } from "./runs/actions";
 import { lateCell } from "./cell/lateCell";
 import { RunsPanel } from "./runs/RunsPanel";
+import { ProposalsPanel } from "./proposals/ProposalsPanel";
 import { AccountsPanel } from "./login/AccountsPanel";
 import { LoginCover } from "./login/LoginCover";
 import { PairPhone } from "./pairing/PairPhone";
@@ -184,6 +185,7 @@ export function App() {
       <Tour />
       <DocumentsPanel />
       <RunsPanel />
+      <ProposalsPanel />
       <PairPhone />
       <AccountsPanel />
       <LoginCover />

@@ -28,6 +28,7 @@ import "./styles/past.css";
 import "./styles/runs.css";
 import "./styles/timeline.css";
 import "./styles/versions.css";
+import "./styles/proposals.css";
 import "./styles/comments.css";
 import "./styles/debugger.css";
 import "./styles/start.css";
@@ -57,6 +58,7 @@ import { tourFromAddress } from "./help/tour";
 import { LoginCover } from "./login/LoginCover";
 import { keepDocuments } from "./documents/keepDocuments";
 import { followDocument } from "./presence/presence";
+import { followProposals } from "./proposals/proposals";
 import { followRuns } from "./runs/actions";
 import { followHistory } from "./versions/history";
 
@@ -83,6 +85,7 @@ function begin(): void {
   followDerivations();
   followDocument();
   followHistory();
+  followProposals();
   followBreakpoints();
   openFromAddress();
   keepEdits();

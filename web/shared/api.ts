@@ -28,6 +28,8 @@ import type {
   Past,
   Person,
   PersonCommand,
+  Proposal,
+  ProposalDecline,
   Revisions,
   Rule,
   Run,
@@ -114,7 +116,7 @@ export interface Storing {
 
 /** Requests below `base` (`/api/v1`); `fetcher` is the browser's fetch, or a test's. */
 export function createApi(base: string, fetcher: typeof fetch) {
-  type Body = AccountChange | AccountCreate | Breakpoints | CellReset | CoreConfirmEdit | CoreResume | CoreStart | DocumentBreakpoints | Exact<Force> | Exact<CoreCreate> | DocumentBranch | PairingCreate | PersonCommand | ServiceCall | StepRequest | { readonly live: boolean };
+  type Body = AccountChange | AccountCreate | Breakpoints | CellReset | CoreConfirmEdit | CoreResume | CoreStart | DocumentBreakpoints | Exact<Force> | Exact<CoreCreate> | DocumentBranch | PairingCreate | PersonCommand | ProposalDecline | ServiceCall | StepRequest | { readonly live: boolean };
   async function request<T>(method: string, path: string, validator: Validator<T>, body?: Body): Promise<T> {
     return send(path, body === undefined ? { method } : { method, body: writeExact(body), headers: { "content-type": "application/json" } }, validator);
   }
@@ -184,6 +186,13 @@ export function createApi(base: string, fetcher: typeof fetch) {
     /** With all its revisions, the last of which must be `revision`. */
     deleteDocument: (name: string, revision: number): Promise<DocumentRemoved> =>
       send(`/documents/${segment(name)}`, { method: "DELETE", headers: { "if-match": tagOf(revision) } }, schema.documentRemoved),
+    /** With the document that it proposes. */
+    proposal: (id: string): Promise<Proposal> => get(`/proposals/${segment(id)}`, schema.proposal),
+    /** It becomes the next revision of its document. */
+    acceptProposal: (id: string, author: string): Promise<Proposal> => request("POST", `/proposals/${segment(id)}/accept?author=${segment(author)}`, schema.proposal),
+    declineProposal: (id: string, author: string, reason: string): Promise<Proposal> =>
+      request("POST", `/proposals/${segment(id)}/decline?author=${segment(author)}`, schema.proposal, reason === "" ? {} : { reason }),
+    withdrawProposal: (id: string, author: string): Promise<Proposal> => request("DELETE", `/proposals/${segment(id)}?author=${segment(author)}`, schema.proposal),
     /** The breakpoints that a person keeps at a document. */
     breakpoints: async (name: string, author: string): Promise<readonly KeptBreakpoint[]> => (await get(breakpointsOf(name, author), schema.documentBreakpoints)).breakpoints,
     keepBreakpoints: (name: string, author: string, breakpoints: readonly KeptBreakpoint[]): Promise<unknown> =>

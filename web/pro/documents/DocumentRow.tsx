@@ -7,7 +7,8 @@ import { errorCount, refusalToStart } from "../../shared/session/draft";
 import { useIsMaking } from "../../page/starting";
 import { useRefusal } from "../login/rights";
 import { CodeText } from "../panels/CodeText";
-import { download, duplicate, edit, editWithHistory, makeRun, remove } from "./actions";
+import { ProposalsOfDocument } from "../proposals/ProposalsButton";
+import { download, duplicate, edit, editWithHistory, makeRun, remove, showDocuments } from "./actions";
 import { NameForm } from "./NameForm";
 import { useAttempt } from "./useAttempt";
 
@@ -36,6 +37,7 @@ export function DocumentRow({ document, taken, offline }: Props) {
           {name}
         </button>
         <small>revision {revision}</small>
+        <ProposalsOfDocument name={name} onShow={() => showDocuments(false)} />
         {errors > 0 && <span className="document-errors">draft, {errorsText(errors)}</span>}
       </div>
       {doc !== undefined && (

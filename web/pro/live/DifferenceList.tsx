@@ -15,6 +15,18 @@ interface Props {
   readonly label: string;
 }
 
+/** What a row says. */
+export function DifferenceText({ row }: { readonly row: DifferenceRow }) {
+  return (
+    <>
+      <b aria-hidden="true">{kSigns[row.kind]}</b>
+      <span>{row.kind}</span>
+      <code>{row.name}</code>
+      {row.text !== "" && <small>{row.text}</small>}
+    </>
+  );
+}
+
 export function DifferenceList({ compared: { before, after, rows }, label }: Props) {
   const go = (row: DifferenceRow) => {
     const id = placeInShown(before, after, editedDocument() ?? after, row);
@@ -26,10 +38,7 @@ export function DifferenceList({ compared: { before, after, rows }, label }: Pro
       {rows.slice(0, kMost).map((row) => (
         <li key={`${row.kind} ${row.id}`}>
           <button type="button" className={`difference is-${row.kind}`} onClick={() => go(row)}>
-            <b aria-hidden="true">{kSigns[row.kind]}</b>
-            <span>{row.kind}</span>
-            <code>{row.name}</code>
-            {row.text !== "" && <small>{row.text}</small>}
+            <DifferenceText row={row} />
           </button>
         </li>
       ))}

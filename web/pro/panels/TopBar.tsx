@@ -13,6 +13,7 @@ import { attempt, useCore, useSession, useView, view, watch } from "../client";
 import { showHelp } from "../help/help";
 import { ThemeButton } from "../theme/ThemeButton";
 import { LoadRun } from "../documents/LoadRun";
+import { ProposalsButton } from "../proposals/ProposalsButton";
 import { openRun, showRuns } from "../runs/actions";
 import { AccountButton } from "../login/AccountButton";
 import { Icon } from "./Icon";
@@ -47,6 +48,7 @@ export function TopBar() {
       <button type="button" className="documents-button" title={`The runs that the server has stored (${keysOf("runs")})`} aria-keyshortcuts={keysOf("runs").replace("Ctrl", "Control")} onClick={() => showRuns(true)}>
         Runs
       </button>
+      <ProposalsButton />
       <PageTabs />
       <ModeButton />
       <ConnectionLight />

@@ -16,6 +16,7 @@ import type {
   PresenceDelta,
   PresenceJoined,
   PresenceSnapshot,
+  Proposal,
   ServerError,
   ServiceState,
   TraceStep,
@@ -45,6 +46,7 @@ export type StreamUpdate =
   | { readonly type: "people"; readonly channel: string; readonly people: PresenceSnapshot }
   | { readonly type: "people_changed"; readonly channel: string; readonly change: PresenceDelta }
   | { readonly type: "joined"; readonly joined: PresenceJoined }
+  | { readonly type: "proposals"; readonly proposals: readonly Proposal[]; readonly whole: boolean }
   | { readonly type: "log"; readonly entries: readonly LogEntry[]; readonly whole: boolean }
   | { readonly type: "refused"; readonly channel: string; readonly errors: readonly ServerError[] };
 
@@ -106,6 +108,8 @@ function updateOf({ channel, kind, data }: Envelope): StreamUpdate {
       return { type: "control", control: check(schema.control, data, "/data") };
     case "cell/pose":
       return { type: "cell", pose: check(schema.cellPose, data, "/data") };
+    case "proposals":
+      return { type: "proposals", proposals: check(schema.proposals, data, "/data").proposals, whole: snapshot };
     case "log":
       return { type: "log", entries: check(schema.logEntries, data, "/data").entries, whole: snapshot };
     default:

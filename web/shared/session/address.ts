@@ -1,6 +1,6 @@
 // The place of the page in its address: `?run=ID` of the run that is shown, `at=STEP.MICRO` of the moment of it, if that is past,
 // `?edit=NAME` of the document that is edited, `page` where another is shown than that of the document or else of the run, `?runs=1` where the
-// stored runs are listed, `versions` if the history of the document is shown, with what is compared (../versions/range.ts), `help` of the topic
+// stored runs are listed, `proposals` if proposed changes are shown, all (`list`) or one, `versions` if the history of the document is shown, with what is compared (../versions/range.ts), `help` of the topic
 // that is shown, `tour` of the document that the tour builds, `?follow=1` where the drawing of a run follows what becomes active,
 // `axis=steps` if the time line counts macro steps; `in` of the state whose inside is drawn, `sel` of what is selected, `why` of its action or parameter that is asked about, `top` of the state of the
 // library that is edited, `below` of what is shown below, where that is not what the window begins with (placeInAddress.ts).
@@ -10,6 +10,7 @@ export interface Place {
   readonly at?: string | undefined;
   readonly edit?: string | undefined;
   readonly runs?: string | undefined;
+  readonly proposals?: string | undefined;
   readonly versions?: string | undefined;
   readonly help?: string | undefined;
   readonly tour?: string | undefined;
@@ -28,7 +29,7 @@ export function placeOfAddress(search: string): Place {
   const query = new URLSearchParams(search);
   const entry = (key: keyof Place) => query.get(key) ?? undefined;
   return {
-    run: entry("run"), at: entry("at"), edit: entry("edit"), runs: entry("runs"), versions: entry("versions"), help: entry("help"), tour: entry("tour"), page: entry("page"), follow: entry("follow"),
+    run: entry("run"), at: entry("at"), edit: entry("edit"), runs: entry("runs"), proposals: entry("proposals"), versions: entry("versions"), help: entry("help"), tour: entry("tour"), page: entry("page"), follow: entry("follow"),
     axis: entry("axis"), in: entry("in"), sel: entry("sel"), why: entry("why"), top: entry("top"), below: entry("below"),
   };
 }

@@ -245,6 +245,7 @@ function applyUpdate(session: Session, update: StreamUpdate, frame?: number): Se
     case "people":
     case "people_changed":
     case "joined":
+    case "proposals":
       return session;
     default:
       return assertNever(update);

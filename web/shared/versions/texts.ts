@@ -27,12 +27,17 @@ export function originText({ origin }: DocumentRevision): string {
       return `revision ${origin.revision} restored`;
     case "branch":
       return `branched from ${origin.document}, revision ${origin.revision}`;
+    case "proposal":
+      return "a proposal that was accepted";
     default:
       return assertNever(origin);
   }
 }
 
-export const personText = ({ author }: DocumentRevision): string => (author === "" ? "somebody" : nameOfAuthor(author));
+const person = (author: string): string => (author === "" ? "somebody" : nameOfAuthor(author));
+
+/** Who has made it; of a proposal, also who has proposed it. */
+export const personText = ({ author, origin }: DocumentRevision): string => (origin.kind === "proposal" ? `${person(author)}, proposed by ${person(origin.author)}` : person(author));
 
 /** What a row says of its revisions. */
 export function groupText({ last, revisions }: RevisionGroup): string {

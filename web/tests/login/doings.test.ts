@@ -13,6 +13,7 @@ describe("what is done on a page", () => {
   it("needs what the server asks for", () => {
     const expected: Readonly<Record<Doing, (typeof kRoles)[number]>> = {
       edit: "developer", store_document: "developer", branch_document: "developer", restore_document: "developer", delete_document: "developer",
+      accept_proposal: "developer", decline_proposal: "developer", withdraw_proposal: "operator",
       make_run: "operator", start_run: "operator", pause_run: "operator", resume_run: "operator", stop_run: "operator",
       step_run: "developer", follow_edits: "developer", set_breakpoints: "developer", force: "developer", import_run: "developer", delete_run: "developer",
       act_at_cell: "operator", reset_cell: "operator", reset_stop: "operator", take_controls: "operator", move_by_hand: "operator", answer_control: "operator", set_mode: "operator", set_speed: "operator", call_service: "operator", pair: "operator", confirm_edit: "operator", answer: "operator", be_display: "operator", manage_accounts: "admin",
