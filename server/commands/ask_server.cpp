@@ -94,19 +94,28 @@ Expected<std::string> token_of(const std::optional<std::string>& file) {
   return variable("RACE_TOKEN");
 }
 
-void ServerOptions::declare_place(Arguments& arguments, const std::string& json_help) {
+void ServerOptions::declare_place(Arguments& arguments) {
   arguments.text("--server", "URL", url, "where the server is");
   arguments.text("--ca", "FILE", authority,
                  "of https alone, else refused: the authority of the server, tls/ca.pem of its data folder; else that "
                  "in RACE_CA, else those "
                  "that this machine trusts");
+}
+
+void ServerOptions::declare_place(Arguments& arguments, const std::string& json_help) {
+  declare_place(arguments);
   arguments.flag("--json", json, json_help);
 }
 
-void ServerOptions::declare(Arguments& arguments, const std::string& json_help) {
-  declare_place(arguments, json_help);
+void ServerOptions::declare(Arguments& arguments) {
+  declare_place(arguments);
   arguments.text("--token-file", "FILE", token_file,
                  "the token of your account; else that in RACE_TOKEN, else that of `race login` at this server");
+}
+
+void ServerOptions::declare(Arguments& arguments, const std::string& json_help) {
+  declare(arguments);
+  arguments.flag("--json", json, json_help);
 }
 
 Expected<HttpClient> client_of(const ServerOptions& server, HttpClient::Timeouts timeouts) {

@@ -21,9 +21,12 @@ struct ServerOptions {
   bool json = false;  // also as JSON to stdout
   std::optional<std::string> token_file, authority;
   bool anonymous = false;  // sends no token: for what needs none, and must not fail for want of a good one
-  /// Declares `--server`, `--ca`, `--token-file` and `--json`; `json_help` says what is printed then.
+  /// Declares `--server`, `--ca` and `--token-file`.
+  void declare(Arguments& arguments);
+  /// The same, and `--json`; `json_help` says what is printed then.
   void declare(Arguments& arguments, const std::string& json_help);
-  /// The same without `--token-file`.
+  /// Both without `--token-file`.
+  void declare_place(Arguments& arguments);
   void declare_place(Arguments& arguments, const std::string& json_help);
 };
 

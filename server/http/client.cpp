@@ -94,7 +94,7 @@ struct Exchange {
     parser.body_limit(HttpClient::kBodyBytes);
     const auto [broken, received] = co_await http::async_read(stream, buffer, parser, kAsTuple);
     if (broken) co_return failure(broken);
-    auto body = parse_json(parser.get().body());
+    auto body = parse_json(parser.get().body(), {.depth = HttpClient::kBodyDepth});
     if (!body)
       co_return unexpected(ErrorCode::io, "answers " + std::to_string(parser.get().result_int()) + " without JSON");
     co_return HttpClient::Answer{static_cast<int>(parser.get().result_int()), std::move(*body)};
@@ -122,7 +122,7 @@ struct Exchange {
     for (beast::flat_buffer buffer;; buffer.clear()) {
       const auto [ended, received] = co_await socket.async_read(buffer, kAsTuple);
       if (ended) co_return failure(ended);
-      const auto message = parse_json(beast::buffers_to_string(buffer.cdata()));
+      const auto message = parse_json(beast::buffers_to_string(buffer.cdata()), {.depth = HttpClient::kBodyDepth});
       if (!message) co_return unexpected(ErrorCode::io, "sends what is no JSON");
       if (!wanted.take(*message)) co_return true;  // the connection ends with the command
     }

@@ -33,6 +33,7 @@ class HttpClient {
     std::chrono::milliseconds answer{30'000};  // from the connection to the last byte
   };
   static constexpr std::size_t kBodyBytes = 16 * 1024 * 1024;  // of an answer
+  static constexpr std::size_t kBodyDepth = 2048;              // levels of an answer: derivations are deep
 
   /// Of the server at `url`, as remote::read_address takes it. Connects to nothing yet. Error `syntax`.
   static Expected<HttpClient> create(std::string url, Timeouts timeouts);

@@ -49,6 +49,8 @@ TABLE = (
     (2, ("core", "list", *NOWHERE)), (2, ("core", "dance")), (2, ("core", "list", "--server", "ftp://x")),
     (2, ("core", "list", "--server", "SERVER", "--ca", "ca.pem")), (2, ("boot", "list", "--server", "SERVER", "--ca", "ca.pem")),
     (0, ("boot", "list", "--server", "SERVER")), (1, ("boot", "remove", "a", "--server", "SERVER")), (2, ("boot", "list", *NOWHERE)),
+    (0, ("mcp", "--server", "SERVER")), (0, ("mcp", *NOWHERE)), (2, ("mcp", "--server", "ftp://x")), (2, ("mcp", "--token-file", "none")),
+    (2, ("mcp", "--server", "SERVER", "--ca", "ca.pem")),
     (0, ("account", "list", "--data", "accounts")), (2, ("account", "add", "ada", "--data", "accounts")), (2, ("account", "dance")),
     (2, ("account", "list", "--data", "SERVER_DATA")),
     (2, ("login", "ada", "--server", "SERVER")), (2, ("login", "ada", *NOWHERE)), (2, ("login", "--server", "SERVER")),
@@ -74,7 +76,7 @@ TABLE = (
     (2, ("serve", "--remote", "oven")), (2, ("serve", "--data", "/proc/no")), (2, ("serve", "--operator", "no.json")),
 )
 COMMANDS = ("serve", "service", "run", "runs", "replay", "backup", "restore", "core", "boot", "account", "login", "logout",
-            "models", "pull", "push", "start", "stop", "services", "call", "trace", "log", "completion", "derive",
+            "models", "pull", "push", "start", "stop", "services", "call", "trace", "log", "completion", "mcp", "derive",
             "check", "translate", "fmt", "man")
 # What a command needs at least.
 WORDS = {"service": ("database", *NOWHERE), "run": ("fine.rcm.json",), "replay": ("no.json",), "runs": ("--data", "none"),
@@ -126,7 +128,7 @@ class Codes(CommandCase):
                 status, output, errors = self.race(*words, *wrong)
                 self.assertEqual((status, output), (2, ""), words)
                 self.assertIn(said, errors)
-        for command in ("serve", "service", "run", "runs", "replay", "derive", "translate"):
+        for command in ("serve", "service", "run", "runs", "replay", "mcp", "derive", "translate"):
             status, _, errors = self.race(command, *WORDS.get(command, ()), "one-more")
             self.assertEqual((status, errors.splitlines()[0]), (2, "one-more: syntax: is a word too many"), command)
         for command in ("service", "run", "replay", "restore", "core", "boot", "account", "derive", "check", "translate", "fmt"):

@@ -45,6 +45,7 @@ struct ClientTest : testing::Test {
     if (request.path == "/api/refused") return answer(refusal(std::vector<Error>{{ErrorCode::conflict, "no", "x"}}));
     Reply reply;
     reply.body = Dict{{"method", request.method}, {"path", request.path}, {"body", request.body}};
+    if (request.count("if-match") > 0) reply.body = Dict{{"if-match", request.header("if-match")}};
     answer(std::move(reply));
   }
   HttpClient client() const { return HttpClient::create(url_of(server->port())).value(); }
@@ -78,6 +79,12 @@ TEST_F(ClientTest, SendsMethodPathAndBody) {
   ASSERT_TRUE(put) << to_string(put.error());
   EXPECT_EQ(*put->body.find("method"), Value("PUT"));
   EXPECT_EQ(*put->body.find("body"), Value(R"({"d":1})"));
+}
+
+TEST_F(ClientTest, SendsHeaders) {
+  const auto put = client().request("PUT", "/api/c", Dict{{"d", 1}}, {{"If-Match", "\"3\""}});
+  ASSERT_TRUE(put) << to_string(put.error());
+  EXPECT_EQ(*put->body.find("if-match"), Value("\"3\""));
 }
 
 TEST_F(ClientTest, GivesARefusalAsAnAnswer) {
@@ -169,6 +176,18 @@ TEST(HttpClient, CallsWhatIsNoServerOfOursIo) {
   EXPECT_EQ(error_with("HTTP/1.1 200 OK\r\nContent-Length: 6\r\n\r\n<html>").code, ErrorCode::io);
   const std::string size = std::to_string(HttpClient::kBodyBytes + 1);
   EXPECT_EQ(error_with("HTTP/1.1 200 OK\r\nContent-Length: " + size + "\r\n\r\n").code, ErrorCode::io);
+}
+
+TEST(HttpClient, ReadsAnswersOfManyLevels) {
+  const auto levels = [](std::size_t count) {
+    const std::string body = std::string(count, '[') + std::string(count, ']');
+    return "HTTP/1.1 200 OK\r\nContent-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body;
+  };
+  const StrangeServer server(levels(HttpClient::kBodyDepth));
+  const auto answer = HttpClient::create(server.url())->request("GET", "/api/v1/health");
+  ASSERT_TRUE(answer) << to_string(answer.error());
+  EXPECT_TRUE(answer->body.is_list());
+  EXPECT_EQ(error_with(levels(HttpClient::kBodyDepth + 1)).code, ErrorCode::io);
 }
 
 TEST(HttpClient, GivesUpWhatDoesNotAnswerInTime) {
