@@ -23,9 +23,9 @@ constexpr std::string_view kWithBatches = "2025-03-26";  // alone
 constexpr const char* kInstructions =
     "RACE runs robot tasks: documents (RCM, hierarchical state machines) that coordinate services (robot, gripper, "
     "camera, database). Read first: list_documents, read_document, list_skills, list_services, read_cell. Check a "
-    "document with check_document before you offer it. start_run and call_service may move a real robot: ask the "
-    "person before. If something goes wrong in the cell, stop_cell stops everything. What the server refuses is a "
-    "result with isError, whose errors have path, code and message.";
+    "document with check_document, and offer it with propose_document. start_run and call_service may move a real "
+    "robot: ask the person before. If something goes wrong in the cell, stop_cell stops everything. What the server "
+    "refuses is a result with isError, whose errors have path, code and message.";
 
 using Answered = tl::expected<Value, RpcError>;
 

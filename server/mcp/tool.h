@@ -30,6 +30,10 @@ Outcome list_documents(const Context& context, const Dict& arguments);
 Outcome read_document(const Context& context, const Dict& arguments);
 Outcome check_document(const Context& context, const Dict& arguments);
 Outcome change_document(const Context& context, const Dict& arguments);
+// Proposals (proposal_tools.cpp)
+Outcome propose_document(const Context& context, const Dict& arguments);
+Outcome list_proposals(const Context& context, const Dict& arguments);
+Outcome read_proposal(const Context& context, const Dict& arguments);
 // Skills and services (offer_tools.cpp)
 Outcome list_skills(const Context& context, const Dict& arguments);
 Outcome list_services(const Context& context, const Dict& arguments);

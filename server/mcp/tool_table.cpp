@@ -7,6 +7,7 @@ namespace race::server::mcp {
 namespace {
 
 constexpr Hints kReads{.reads = true, .idempotent = true};
+constexpr Hints kAdds{};
 constexpr Hints kChanges{.destroys = true};
 constexpr Hints kStops{.destroys = true, .idempotent = true};
 
@@ -39,10 +40,27 @@ constexpr std::array kTools = {
          kReads, list_services},
     Tool{"check_document", "Check a document",
          "Whether a document is valid, or all its errors with path, code and message (200 at most). Nothing is stored. "
-         "The server asks for the right to change documents.",
+         "The server asks for the right to change documents; propose_document checks, too.",
          R"("document": {"type": "object"},
             "name": {"type": "string", "minLength": 1, "description": "Under which it would be stored"})",
          R"("document")", kReads, check_document},
+    Tool{"propose_document", "Propose a change of a document",
+         "Proposes a document, new or changed, to the people who may change documents: it is stored once one of them "
+         "accepts it. Refused, with all its errors, if it is not valid. `revision`: that which it changes, the last "
+         "one; absent: the document is new.",
+         R"("name": {"type": "string", "minLength": 1}, "document": {"type": "object"},
+            "revision": {"type": "integer", "minimum": 1},
+            "note": {"type": "string", "description": "Why, for who decides"})",
+         R"("name", "document")", kAdds, propose_document},
+    Tool{"list_proposals", "List proposals",
+         "Proposed changes of documents, the oldest first, and what has become of them: open, outdated (the document "
+         "has changed since), accepted, declined (`reason`), withdrawn. `next` of the answer is `after` of the next page.",
+         R"("document": {"type": "string", "minLength": 1},
+            "status": {"type": "string", "enum": ["open", "outdated", "accepted", "declined", "withdrawn"]},
+            "after": {"type": "string"}, "limit": {"type": "integer", "minimum": 1, "maximum": 100})",
+         "", kReads, list_proposals},
+    Tool{"read_proposal", "Read a proposal", "A proposal with its document, `proposed`, and what has become of it.",
+         R"("id": {"type": "string", "minLength": 1})", R"("id")", kReads, read_proposal},
     Tool{
         "change_document", "Change a document",
         "Stores a document as the next revision, whole or not at all, without asking anybody. `revision`: the last one "

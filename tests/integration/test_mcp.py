@@ -16,12 +16,13 @@ import jsonschema
 import models
 from accounts import AccountServer
 from client import PROGRAM, PROJECT, TIMEOUT, Server
+from interface import INTERFACE
 from mcp_client import NEWEST, Agent
 
 DEMO = ("--demo", str(PROJECT / "deploy/demo"))
 PAGE = PROJECT / "server/mcp/README.md"
 READING = {"list_documents", "read_document", "list_skills", "list_services", "check_document", "list_cores", "run_status",
-           "wait_for_run", "list_runs", "read_derivations", "explain_port", "read_cell"}
+           "wait_for_run", "list_runs", "list_proposals", "read_proposal", "read_derivations", "explain_port", "read_cell"}
 MOVING = {"start_run", "call_service"}
 WRONG = models.document("wrong", {"state": "Root", "ports": [{"name": "done", "when": "res.n >= 1"}]})
 DEEP = b'{"jsonrpc": "2.0", "id": 1, "method": "ping", "params": {"x": ' + b"[" * 70 + b"]" * 70 + b"}}"
@@ -194,7 +195,7 @@ class Reading(AgentCase):
         for name, tool in tools.items():
             jsonschema.Draft202012Validator.check_schema(tool["inputSchema"])
             self.assertLessEqual(set(tool["inputSchema"]["required"]), set(tool["inputSchema"]["properties"]))
-            self.assertNotEqual(tool["annotations"]["readOnlyHint"], tool["annotations"]["destructiveHint"], name)
+            self.assertEqual(tool["annotations"]["readOnlyHint"] + tool["annotations"]["destructiveHint"], name != "propose_document", name)
         for name in MOVING:
             self.assertIn("A ROBOT MAY MOVE", tools[name]["description"])
 
@@ -461,6 +462,24 @@ class Rights(unittest.TestCase):
         run = agent.call("start_run", document="ticking", arguments={"last": 1})["id"]
         self.assertTrue(agent.call("wait_for_run", run=run)["over"])
         self.assertEqual(agent.errors("start_run", document="ticking", arguments={"last": "x", "more": 1})[0]["code"], "parameter")
+
+    @unittest.skipUnless("/api/v1/proposals" in INTERFACE["paths"], "the interface has no proposals yet")
+    def test_what_an_operator_proposes_is_stored_once_it_is_accepted(self):
+        agent = self.agent("operator")
+        before = agent.call("read_document", name="ticking")["revision"]
+        [error] = agent.errors("propose_document", name="ticking", document=WRONG, revision=before)
+        self.assertEqual((error["path"], error["code"]), ("Root.done", "unknown_name"))
+        made = agent.call("propose_document", name="ticking", document=models.ticking(last=9), revision=before, note="longer")
+        self.assertEqual((made["status"], made["author"], made["base_revision"]), ("open", "operator~mcp", before))
+        self.assertNotIn("proposed", made)
+        self.assertEqual(agent.call("read_document", name="ticking")["revision"], before)
+        self.assertIn(made["id"], [each["id"] for each in agent.call("list_proposals", document="ticking", status="open")["proposals"]])
+        self.assertEqual(agent.call("read_proposal", id=made["id"])["proposed"]["root"]["parameters"][0]["value"], 9)
+        self.server.post(f"/proposals/{made['id']}/accept")
+        self.assertEqual(agent.call("read_proposal", id=made["id"])["status"], "accepted")
+        self.assertEqual(agent.call("read_document", name="ticking")["revision"], before + 1)
+        self.assertEqual(self.agent("observer").errors("propose_document", name="x", document=models.ticking("x"))[0]["code"], "rights")
+        self.assertEqual(agent.errors("read_proposal", id="999")[0]["code"], "not_found")
 
     def test_a_developer_changes_under_the_name_of_the_account(self):
         with tempfile.NamedTemporaryFile("w") as file:
