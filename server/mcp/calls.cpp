@@ -4,13 +4,13 @@
 
 namespace race::server::mcp {
 
-tl::expected<SharedStop, RpcError> Calls::begin(const Value& id) {
+tl::expected<SharedStop, RpcError> Calls::begin(const Value& id, std::size_t most) {
   const services::MutexLock lock(mutex_);
   if (std::ranges::any_of(open_, [&](const auto& call) { return call.first == id; }))
     return tl::unexpected(RpcError{RpcCode::invalid_request, "id: a request with this id is being worked on"});
-  if (count_ >= kMost)
+  if (count_ >= most)
     return tl::unexpected(
-        RpcError{RpcCode::busy, std::to_string(kMost) + " requests are being worked on already; wait for one of them"});
+        RpcError{RpcCode::busy, std::to_string(most) + " requests are being worked on already; wait for one of them"});
   auto stop = std::make_shared<Stop>(false);
   open_.emplace_back(id, stop);
   ++count_;

@@ -19,10 +19,12 @@ class Calls {
  public:
   /// So many at once: those that wait for a thread are among them.
   static constexpr std::size_t kMost = 64;
+  /// So many more, if they are calls that stop something.
+  static constexpr std::size_t kMostStops = 4;
 
   /// A request begins; what is given becomes true when it is cancelled. Errors: `invalid_request`: one with this id is
-  /// being worked on; `busy`: there are kMost.
-  tl::expected<SharedStop, RpcError> begin(const Value& id) EXCLUDES(mutex_);
+  /// being worked on; `busy`: there are `most`.
+  tl::expected<SharedStop, RpcError> begin(const Value& id, std::size_t most = kMost) EXCLUDES(mutex_);
   /// Its response is about to be written: the id is free again.
   void close(const Value& id) EXCLUDES(mutex_);
   /// Nothing more comes of it. To be called once after each close().

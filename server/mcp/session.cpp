@@ -34,8 +34,9 @@ struct Method {
   Answered (*answer)(const Context& context, const Value& params);
 };
 
+constexpr std::string_view kCallTool = "tools/call";
 constexpr std::array kMethods = {
-    Method{"tools/list", list_tools},         Method{"tools/call", call_tool},
+    Method{"tools/list", list_tools},         Method{kCallTool, call_tool},
     Method{"resources/list", list_resources}, Method{"resources/templates/list", list_resource_templates},
     Method{"resources/read", read_resource},  Method{"prompts/list", list_prompts},
     Method{"prompts/get", get_prompt},
@@ -113,14 +114,16 @@ void Session::handle(Message message, const Respond& respond) {
   work(message, respond);
 }
 
-// What is wanted no more when its turn comes is not begun; a response that is wanted no more is not sent.
+// What is wanted no more when its turn comes is not begun, unless it stops something; a response that is wanted no more
+// is not sent.
 void Session::work(const Message& message, const Respond& respond) {
-  const auto begun = calls_.begin(*message.id);
+  const bool is_stop = message.method == kCallTool && calls_stop(message.params);
+  const auto begun = calls_.begin(*message.id, is_stop ? Calls::kMost + Calls::kMostStops : Calls::kMost);
   if (!begun) return respond(make_error(*message.id, begun.error()));
-  pool_.post([this, message, respond, cancelled = *begun] {
+  (is_stop ? stops_ : pool_).post([this, message, respond, is_stop, cancelled = *begun] {
     const Value& id = *message.id;
     std::optional<Value> response;
-    if (!*cancelled) {
+    if (is_stop || !*cancelled) {
       const Value* token = progress_token(message.params);
       const Context context{api_, *cancelled, [&](double done, double total, const std::string& text) {
                               if (token) send_(progress_message(*token, done, total, text));

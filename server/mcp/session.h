@@ -1,7 +1,7 @@
 // Session: one client of the Model Context Protocol, from `initialize` to the end of what it sends.
 //
 // Threads: receive() and end() on one; requests are worked on by threads of the session, so that none of them holds up
-// a ping or a cancellation.
+// a ping or a cancellation. Calls that stop something have threads of their own, so that no other call holds them up.
 #pragma once
 
 #include <chrono>
@@ -44,7 +44,9 @@ class Session {
   const Send send_;
   std::string version_;  // of the protocol; empty: the client has not initialized
   Calls calls_;
-  Pool pool_{kThreads, 0, "mcp"};  // last: its work uses the others
+  // Last: their work uses the others.
+  Pool pool_{kThreads, 0, "mcp"};
+  Pool stops_{Calls::kMostStops, 0, "mcp stops"};
 };
 
 }  // namespace race::server::mcp

@@ -1,6 +1,7 @@
-// Tool: what a model can call: a row of the table in tools.cpp, whose function is in one of the files *_tools.cpp.
+// Tool: what a model can call: a row of tool_table.cpp, whose function is in one of the files *_tools.cpp.
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 
 #include "core/value/value.h"
@@ -15,6 +16,12 @@ struct Hints {
   bool idempotent = false;  // the same call again changes nothing more
 };
 
+enum class ToolKind : std::uint8_t {
+  usual,
+  changes_documents,  // listed only for who may
+  stops,              // its calls wait for no others
+};
+
 struct Tool {
   std::string_view name, title, description;
   /// The properties of the JSON Schema of its arguments (schema.h), and the names of those that are required, as JSON.
@@ -22,7 +29,7 @@ struct Tool {
   Hints hints;
   /// Gives an object. The arguments fit the schema.
   Outcome (*call)(const Context& context, const Dict& arguments);
-  bool changes_documents = false;  // listed only for who may
+  ToolKind kind = ToolKind::usual;
 };
 
 // Documents (document_tools.cpp)

@@ -32,6 +32,12 @@ tl::unexpected<RpcError> bad_params(const std::vector<Error>& errors) {
   return tl::unexpected(make_rpc_error(RpcCode::invalid_params, errors));
 }
 
+// nullptr: there is none of this name.
+const Tool* find_tool(std::string_view name) {
+  const auto tool = std::ranges::find(all_tools(), name, &Tool::name);
+  return tool == all_tools().end() ? nullptr : &*tool;
+}
+
 Value text_result(Value structured, std::string text, bool is_error) {
   return Dict{{"content", List{Dict{{"type", "text"}, {"text", std::move(text)}}}},
               {"structuredContent", std::move(structured)},
@@ -51,7 +57,7 @@ tl::expected<Value, RpcError> list_tools(const Context& context, const Value& pa
   const bool may_change = may_change_documents(context);
   List tools;
   for (const Tool& tool : all_tools())
-    if (may_change || !tool.changes_documents) tools.push_back(tool_json(tool));
+    if (may_change || tool.kind != ToolKind::changes_documents) tools.push_back(tool_json(tool));
   return Dict{{"tools", std::move(tools)}};
 }
 
@@ -68,6 +74,12 @@ tl::expected<Value, RpcError> call_tool(const Context& context, const Value& par
   errors = violations(schema_of(*tool), arguments, "arguments");
   if (!errors.empty()) return bad_params(errors);
   return tool_result(tool->call(context, arguments.as_dict()));
+}
+
+bool calls_stop(const Value& params) {
+  const Value* name = params.find("name");
+  const Tool* tool = name && name->is_string() ? find_tool(name->as_string()) : nullptr;
+  return tool && tool->kind == ToolKind::stops;
 }
 
 Value tool_result(const Outcome& outcome) {

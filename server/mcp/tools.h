@@ -19,6 +19,9 @@ tl::expected<Value, RpcError> list_tools(const Context& context, const Value& pa
 /// server refuses, and what is larger than kMostText (`too_large`), is a result that says so (`isError`).
 tl::expected<Value, RpcError> call_tool(const Context& context, const Value& params);
 
+/// Whether tools/call with these parameters stops something, and so must wait for no other call.
+bool calls_stop(const Value& params);
+
 /// An outcome as a result of tools/call.
 Value tool_result(const Outcome& outcome);
 

@@ -423,6 +423,18 @@ class Running(AgentCase):
 
 
 class Stopping(unittest.TestCase):
+    def test_a_stop_waits_for_no_other_call(self):
+        with Server(*DEMO) as server, Agent(f"http://127.0.0.1:{server.port}") as agent:
+            run = server.core(models.hurrying())
+            wait = {"name": "wait_for_run", "arguments": {"run": run, "seconds": 60}}
+            numbers = [agent.begin("tools/call", wait) for _ in range(64)]
+            self.assertEqual(agent.refused("tools/call", wait)["code"], -32000)
+            begin = time.monotonic()
+            numbers.append(agent.begin("tools/call", {"name": "stop_cell"}))
+            self.assertEqual({agent.answer()["id"] for _ in numbers}, set(numbers))
+            self.assertLess(time.monotonic() - begin, 10, "they would wait for a minute")
+            self.assertEqual(server.ended(run)["status"], "aborted")
+
     def test_stop_ends_runs_and_latches(self):
         with Server(*DEMO) as server, Agent(f"http://127.0.0.1:{server.port}") as agent:
             run = server.core(models.hurrying())

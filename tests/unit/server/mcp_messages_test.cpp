@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <string>
 
 #include "core/value/json.h"
 #include "server/mcp/batch.h"
@@ -48,6 +49,10 @@ TEST(Calls, AreSoManyAndEachIdIsOneOfThem) {
   EXPECT_EQ(calls.begin(3).error().code, RpcCode::invalid_request);
   calls.close(3);
   EXPECT_EQ(calls.begin("more").error().code, RpcCode::busy) << "its response is not written yet";
+  for (std::size_t i = 0; i < Calls::kMostStops; ++i)
+    EXPECT_TRUE(calls.begin("stop " + std::to_string(i), Calls::kMost + Calls::kMostStops));
+  EXPECT_EQ(calls.begin("stop", Calls::kMost + Calls::kMostStops).error().code, RpcCode::busy);
+  for (std::size_t i = 0; i < Calls::kMostStops; ++i) calls.end();
   calls.end();
   EXPECT_TRUE(calls.begin("3")) << "another id than 3";
 }
@@ -109,6 +114,13 @@ TEST(ToolTable, HasASchemaAndANameOfItsOwnForEachTool) {
       EXPECT_TRUE(schema.find("properties")->find(required.as_string())) << tool.name;
     EXPECT_FALSE(tool.hints.reads && tool.hints.destroys) << tool.name;
   }
+}
+
+TEST(ToolTable, KnowsTheCallsThatStop) {
+  EXPECT_TRUE(calls_stop(Dict{{"name", "stop_cell"}}));
+  EXPECT_TRUE(calls_stop(Dict{{"name", "stop_run"}, {"arguments", 7}}));
+  for (const Value& params : List{Dict(), Dict{{"name", 7}}, Dict{{"name", "stop"}}, Dict{{"name", "wait_for_run"}}})
+    EXPECT_FALSE(calls_stop(params));
 }
 
 TEST(ToolResult, SaysWhatIsTooLarge) {
