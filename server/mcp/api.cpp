@@ -13,6 +13,10 @@ Problem make_problem(const Error& error) {
   return {0, errors_json(errors).as_dict()};
 }
 
+Problem no_such(const std::string& what) {
+  return {404, make_problem({ErrorCode::not_found, "there is nothing of this name", what}).errors};
+}
+
 Dict problem_json(const Problem& problem) {
   Dict json = problem.errors;
   if (problem.status != 0) json.set("status", problem.status);
@@ -20,7 +24,10 @@ Dict problem_json(const Problem& problem) {
 }
 
 Target::Target(std::initializer_list<std::string_view> parts) : text_("/api/v1") {
-  for (const std::string_view part : parts) text_ += '/' + encode_part(part);
+  for (const std::string_view part : parts) {
+    text_ += '/' + encode_part(part);
+    if (part.find('/') != std::string_view::npos) wrong_part_ = part;
+  }
 }
 
 Target& Target::with(std::string_view name, const Value* value) {
@@ -36,6 +43,7 @@ Target& Target::with(std::string_view name, std::string_view text) {
 
 Outcome Api::ask(std::string_view method, const Target& target, const std::optional<Value>& body,
                  const HttpClient::Headers& headers) const {
+  if (!target.wrong_part().empty()) return tl::unexpected(no_such(target.wrong_part()));
   auto answer = client_.request(method, target.text(), body, headers);
   if (!answer) return tl::unexpected(make_problem(answer.error()));
   if (answer->status >= 200 && answer->status < 300) return std::move(answer->body);

@@ -24,13 +24,16 @@ struct Problem {
 
 /// Of one error of ours; what the client has made long is cut.
 Problem make_problem(const Error& error);
+/// As the server says that there is no such thing.
+Problem no_such(const std::string& what);
 /// The errors, and the status if there is one.
 Dict problem_json(const Problem& problem);
 
 /// What was answered, or why nothing was done.
 using Outcome = tl::expected<Value, Problem>;
 
-/// The path and query of a request: parts are encoded.
+/// The path and query of a request: parts are encoded. The server decodes a path before it looks for its parts, so that
+/// one with a `/` would be of another route.
 class Target {
  public:
   /// Below /api/v1.
@@ -39,9 +42,11 @@ class Target {
   Target& with(std::string_view name, const Value* value);
   Target& with(std::string_view name, std::string_view text);
   const std::string& text() const { return text_; }
+  /// The part with a `/`, which must not be sent; empty: there is none.
+  const std::string& wrong_part() const { return wrong_part_; }
 
  private:
-  std::string text_;
+  std::string text_, wrong_part_;
   bool has_query_ = false;
 };
 
@@ -51,6 +56,7 @@ class Api {
 
   Outcome get(const Target& target) const { return ask("GET", target); }
   Outcome post(const Target& target, const std::optional<Value>& body = {}) const { return ask("POST", target, body); }
+  /// What the server answers. A target with a wrong part is not sent: no_such().
   Outcome ask(std::string_view method, const Target& target, const std::optional<Value>& body = {},
               const HttpClient::Headers& headers = {}) const;
 

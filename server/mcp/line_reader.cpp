@@ -1,5 +1,6 @@
 #include "server/mcp/line_reader.h"
 
+#include <poll.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -8,6 +9,15 @@
 #include <utility>
 
 namespace race::server::mcp {
+namespace {
+
+// Of a file that does not wait by itself: who has its other end may have set that for both.
+bool wait_for_input(int file) {
+  pollfd input{file, POLLIN, 0};
+  return ::poll(&input, 1, -1) > 0 || errno == EINTR;
+}
+
+}  // namespace
 
 std::optional<Expected<std::string>> LineReader::next() {
   for (;;) {
@@ -39,7 +49,7 @@ bool LineReader::read_more() {
   std::array<char, std::size_t{64} * 1024> bytes;
   ssize_t count = 0;
   do count = ::read(file_, bytes.data(), bytes.size());
-  while (count < 0 && errno == EINTR);
+  while (count < 0 && (errno == EINTR || (errno == EAGAIN && wait_for_input(file_))));
   if (count <= 0) return false;
   buffer_.erase(0, begin_);
   scanned_ -= begin_;

@@ -66,8 +66,7 @@ tl::unexpected<RpcError> wrong_param(const char* name, const char* message) {
 Outcome read_uri(const Context& context, const std::string& uri) {
   const auto known = std::ranges::find(kResources, uri, &Resource::uri);
   if (known != kResources.end()) return known->read(context, {});
-  if (!uri.starts_with(kDocumentUri) || uri.size() == kDocumentUri.size())
-    return tl::unexpected(Problem{404, make_problem({ErrorCode::not_found, "there is no such resource", uri}).errors});
+  if (!uri.starts_with(kDocumentUri) || uri.size() == kDocumentUri.size()) return tl::unexpected(no_such(uri));
   return context.api.get(Target{"documents", uri.substr(kDocumentUri.size())});
 }
 

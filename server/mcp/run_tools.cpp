@@ -50,6 +50,10 @@ void pause(const Stop& cancelled, Steady::time_point end) {
     std::this_thread::sleep_for(std::min<Steady::duration>(kPause, end - Steady::now()));
 }
 
+void remove_core(const Context& context, const std::string& id) {
+  static_cast<void>(context.api.ask("DELETE", Target{"cores", id}));
+}
+
 double seconds_since(Steady::time_point begin) { return std::chrono::duration<double>(Steady::now() - begin).count(); }
 
 }  // namespace
@@ -69,7 +73,7 @@ Outcome get_of_run(const Context& context, const std::string& run, std::string_v
 
 Outcome list_cores(const Context& context, const Dict&) { return context.api.get(Target{"cores"}); }
 
-// A core that may not begin is removed: it would wait for somebody who does not know of it.
+// A core that may not begin, or is wanted no more, is removed: it would wait for somebody who does not know of it.
 Outcome start_run(const Context& context, const Dict& arguments) {
   Dict body{{"document", *arguments.find("document")}};
   if (const Value* given = arguments.find("arguments")) body.set("arguments", *given);
@@ -78,9 +82,13 @@ Outcome start_run(const Context& context, const Dict& arguments) {
   const Value* id = core->find("id");
   if (!id || !id->is_string())
     return tl::unexpected(make_problem({ErrorCode::io, "the server answers what is no core"}));
+  if (context.cancelled) {
+    remove_core(context, id->as_string());
+    return core;
+  }
   auto started = context.api.post(Target{"cores", id->as_string(), "start"});
   if (!started && started.error().status != 0)
-    static_cast<void>(context.api.ask("DELETE", Target{"cores", id->as_string()}));
+    remove_core(context, id->as_string());
   else if (!started)
     started.error().errors.set("run", *id);  // it may have begun
   return started;

@@ -26,9 +26,10 @@ def held(name, value):
 class Agent:
     """`race mcp` with a client that reads all it says. As a context manager it closes its input and expects status 0."""
 
-    def __init__(self, url, *options, version=NEWEST, token=None):
-        """`version`: of the protocol, to initialize with; None: not to."""
+    def __init__(self, url, *options, version=NEWEST, token=None, state="/nonexistent"):
+        """`version`: of the protocol, to initialize with; None: not to. `state`: where logins are kept."""
         environment = {key: value for key, value in os.environ.items() if key not in ("RACE_TOKEN", "RACE_CA")}
+        environment["XDG_STATE_HOME"] = str(state)
         if token is not None:
             environment["RACE_TOKEN"] = token
         self.process = subprocess.Popen([PROGRAM, "mcp", "--server", url, *options], stdin=subprocess.PIPE, stdout=subprocess.PIPE,

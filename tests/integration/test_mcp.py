@@ -3,9 +3,12 @@ import json
 import os
 import queue
 import re
+import select
 import socket
+import socketserver
 import subprocess
 import tempfile
+import threading
 import time
 import unittest
 from contextlib import contextmanager
@@ -14,10 +17,11 @@ from pathlib import Path
 import jsonschema
 
 import models
-from accounts import AccountServer
+from accounts import PASSWORD, AccountServer
 from client import PROGRAM, PROJECT, TIMEOUT, Server
 from interface import INTERFACE
 from mcp_client import NEWEST, Agent
+from race_command import Person
 
 DEMO = ("--demo", str(PROJECT / "deploy/demo"))
 PAGE = PROJECT / "server/mcp/README.md"
@@ -37,6 +41,32 @@ def fits(expected, value):
     if isinstance(expected, list):
         return isinstance(value, list) and len(value) == len(expected) and all(map(fits, expected, value))
     return expected == value
+
+
+@contextmanager
+def slow_way(port, seconds):
+    """The URL of a way to the server at the port, on which each part of an answer takes so long."""
+    class Passing(socketserver.BaseRequestHandler):
+        def handle(self):
+            with socket.create_connection(("127.0.0.1", port)) as server:
+                while True:
+                    for end in select.select([self.request, server], [], [])[0]:
+                        data = end.recv(65536)
+                        if not data:
+                            return
+                        if end is server:
+                            time.sleep(seconds)
+                            self.request.sendall(data)
+                        else:
+                            server.sendall(data.replace(f"127.0.0.1:{way.server_address[1]}".encode(), f"127.0.0.1:{port}".encode()))
+
+    with socketserver.ThreadingTCPServer(("127.0.0.1", 0), Passing) as way:
+        way.daemon_threads = True
+        threading.Thread(target=way.serve_forever, daemon=True).start()
+        try:
+            yield f"http://127.0.0.1:{way.server_address[1]}"
+        finally:
+            way.shutdown()
 
 
 @contextmanager
@@ -216,6 +246,7 @@ class Reading(AgentCase):
         self.assertEqual(agent.errors("read_document", name="pick", revision=99)[0]["code"], "not_found")
         for hostile in ("..", "../cell", "pick/native", "pick?x=1", "%2e%2e", "a b\r\nX: y", "ä"):
             self.assertTrue(agent.errors("read_document", name=hostile))
+        self.assertEqual(agent.errors("read_proposal", id="1/accept")[0]["code"], "not_found")
 
     def test_what_is_larger_than_an_answer_is_read_by_pages(self):
         agent = self.agent()
@@ -270,7 +301,8 @@ class Reading(AgentCase):
             self.assertIsInstance(json.loads(content["text"]), dict)
         [template] = agent.ask("resources/templates/list")["resourceTemplates"]
         self.assertEqual(template["uriTemplate"], "race://documents/{name}")
-        for uri in ("race://documents/nothing", "race://documents/", "race://rules/", "file:///etc/passwd", ""):
+        for uri in ("race://documents/nothing", "race://documents/", "race://documents/pick/native", "race://rules/",
+                    "file:///etc/passwd", ""):
             self.assertEqual(agent.refused("resources/read", {"uri": uri})["code"], -32002, uri)
 
     def test_resources_come_by_pages(self):

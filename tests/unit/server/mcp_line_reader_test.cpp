@@ -1,8 +1,11 @@
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -42,6 +45,26 @@ TEST(LineReader, GivesEachLineAndWhatFollowsTheLast) {
   EXPECT_EQ(lines_of("a\n\nbc\n", 9), (Lines{"a", "", "bc"}));
   EXPECT_EQ(lines_of("a\nbc", 9), (Lines{"a", "bc"}));
   EXPECT_EQ(lines_of(std::string("a\0b\n", 4), 9), (Lines{std::string("a\0b", 3)}));
+}
+
+TEST(LineReader, WaitsForAFileThatDoesNotWait) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe2(ends.data(), O_NONBLOCK), 0);
+  std::thread writer([&] {
+    for (const std::string_view text : {"a", "b\nc"}) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      EXPECT_GT(::write(ends[1], text.data(), text.size()), 0);
+    }
+    ::close(ends[1]);
+  });
+  LineReader reader(ends[0], 9);
+  for (const std::string_view text : {"ab", "c"}) {
+    const auto line = reader.next();
+    EXPECT_TRUE(line && *line && **line == text) << text;
+  }
+  EXPECT_FALSE(reader.next());
+  writer.join();
+  ::close(ends[0]);
 }
 
 TEST(LineReader, PassesOverALineThatIsTooLong) {
