@@ -51,6 +51,10 @@ Outcome run_status(const Context& context, const Dict& arguments);
 Outcome wait_for_run(const Context& context, const Dict& arguments);
 Outcome stop_run(const Context& context, const Dict& arguments);
 Outcome list_runs(const Context& context, const Dict& arguments);
+// Runs that wait their turn (queue_tools.cpp)
+Outcome list_queue(const Context& context, const Dict& arguments);
+Outcome queue_run(const Context& context, const Dict& arguments);
+Outcome cancel_queued_run(const Context& context, const Dict& arguments);
 // What a run has done (derivation_tools.cpp)
 Outcome read_derivations(const Context& context, const Dict& arguments);
 Outcome explain_port(const Context& context, const Dict& arguments);

@@ -98,6 +98,24 @@ constexpr std::array kTools = {
          "Stops everything in the cell at once: all runs end, and nothing moves until a person resets the stop. "
          "Anybody may do this at any time; when in doubt, do. It is software, and no safety function.",
          "", "", kEnds, stop_cell, ToolKind::stops},
+    Tool{"list_queue", "Look at the queue",
+         "The runs that wait their turn, in order, and those before them: status, `core` (the run, once it has "
+         "begun), and how it ended; why the queue is paused, if it is: then nothing begins until a person lets it "
+         "go on. With `id`, one of them. `next` of the answer is `after` of the next page.",
+         R"("id": {"type": "string", "minLength": 1},
+            "after": {"type": "integer", "minimum": 1}, "limit": {"type": "integer", "minimum": 1, "maximum": 100})",
+         "", kReads, list_queue},
+    Tool{"queue_run", "Queue a run",
+         "Queues a run of a document, which begins when all before it are over; at once, if there are none. A "
+         "ROBOT MAY MOVE, now or later: ask the person first, unless they have asked for this run. If it faults, "
+         "the queue pauses.",
+         R"("document": {"type": "string", "minLength": 1},
+            "arguments": {"type": "object", "description": "Of the parameters of its root, over their values"},
+            "name": {"type": "string", "description": "For people"})",
+         R"("document")", kChanges, queue_run},
+    Tool{"cancel_queued_run", "Cancel a queued run",
+         "Cancels a run that waits in the queue: it never begins. One that has begun is stopped with stop_run.",
+         R"("id": {"type": "string", "minLength": 1})", R"("id")", kEnds, cancel_queued_run, ToolKind::stops},
     Tool{"list_runs", "List stored runs",
          "The stored runs, the newest first. `next` of the answer is `before` of the next page.",
          R"("document": {"type": "string", "minLength": 1}, "before": {"type": "integer", "minimum": 1},

@@ -26,8 +26,8 @@ from race_command import Person
 DEMO = ("--demo", str(PROJECT / "deploy/demo"))
 PAGE = PROJECT / "server/mcp/README.md"
 READING = {"list_documents", "read_document", "list_skills", "list_services", "check_document", "list_cores", "run_status",
-           "wait_for_run", "list_runs", "list_proposals", "read_proposal", "read_derivations", "explain_port", "read_cell"}
-MOVING = {"start_run", "call_service"}
+           "wait_for_run", "list_queue", "list_runs", "list_proposals", "read_proposal", "read_derivations", "explain_port", "read_cell"}
+MOVING = {"start_run", "queue_run", "call_service"}
 WRONG = models.document("wrong", {"state": "Root", "ports": [{"name": "done", "when": "res.n >= 1"}]})
 DEEP = b'{"jsonrpc": "2.0", "id": 1, "method": "ping", "params": {"x": ' + b"[" * 70 + b"]" * 70 + b"}}"
 
@@ -454,6 +454,36 @@ class Running(AgentCase):
         self.server.post(f"/cores/{run}/stop")
 
 
+    def test_queued_runs_wait_their_turn_and_people(self):
+        with Server() as server, Agent(f"http://127.0.0.1:{server.port}") as agent:
+            for document in (models.hurrying(), models.ticking()):
+                server.put(f"/documents/{document['name']}", document)
+            first = agent.call("queue_run", document="hurrying", name="first")["id"]
+            others = [agent.call("queue_run", document="ticking", arguments={"last": 1})["id"] for _ in range(2)]
+            server.wait_for(lambda: agent.call("list_queue", id=first).get("core"))
+            self.assertEqual(agent.call("cancel_queued_run", id=others[0])["status"], "cancelled")
+            self.assertEqual(agent.errors("cancel_queued_run", id=first)[0]["code"], "conflict")
+            agent.call("stop_run", run=agent.call("list_queue", id=first)["core"])
+            server.wait_for(lambda: "paused" in agent.call("list_queue"))
+            page = agent.call("list_queue", after=int(first), limit=1)
+            self.assertEqual(([run["id"] for run in page["runs"]], page["next"]), (others[:1], int(others[0])))
+            self.assertEqual(agent.call("list_queue", id=others[1])["status"], "waiting", "a person lets it go on")
+            server.post("/queue/resume")
+            server.wait_for(lambda: agent.call("list_queue", id=others[1])["status"] == "ended")
+            self.assertEqual(agent.errors("queue_run", document="nothing")[0]["code"], "not_found")
+            self.assertEqual(agent.errors("queue_run", document="ticking", on_fault="go_on")[0]["code"], "unknown_field")
+
+    def test_a_start_that_is_cancelled_meanwhile_begins_nothing(self):
+        self.server.put("/documents/hurrying", models.hurrying())
+        before = {core["id"] for core in self.server.get("/cores")["cores"]}
+        made = lambda: [core["id"] for core in self.server.get("/cores")["cores"] if core["id"] not in before]
+        with slow_way(self.server.port, 0.5) as url, Agent(url) as agent:
+            number = agent.begin("tools/call", {"name": "start_run", "arguments": {"document": "hurrying"}})
+            self.server.wait_for(made)
+            agent.notify("notifications/cancelled", {"requestId": number})
+            self.server.wait_for(lambda: not made())
+
+
 class Stopping(unittest.TestCase):
     def test_a_stop_waits_for_no_other_call(self):
         with Server(*DEMO) as server, Agent(f"http://127.0.0.1:{server.port}") as agent:
@@ -494,6 +524,7 @@ class Rights(unittest.TestCase):
         self.assertNotIn("change_document", [tool["name"] for tool in agent.ask("tools/list")["tools"]])
         self.assertEqual(agent.call("read_document", name="ticking")["revision"], 1)
         for tool, arguments in (("start_run", {"document": "ticking"}), ("stop_run", {"run": "1"}),
+                                ("queue_run", {"document": "ticking"}), ("cancel_queued_run", {"id": "1"}),
                                 ("call_service", {"service": "db", "operation": "get", "args": ["x"]}),
                                 ("check_document", {"document": WRONG}),
                                 ("change_document", {"name": "ticking", "document": models.ticking(), "revision": 1})):
@@ -505,7 +536,8 @@ class Rights(unittest.TestCase):
         self.assertNotIn("change_document", [tool["name"] for tool in agent.ask("tools/list")["tools"]])
         run = agent.call("start_run", document="ticking", arguments={"last": 1})["id"]
         self.assertTrue(agent.call("wait_for_run", run=run)["over"])
-        self.assertEqual(agent.errors("start_run", document="ticking", arguments={"last": "x", "more": 1})[0]["code"], "parameter")
+        [error] = agent.errors("start_run", document="ticking", arguments={"last": 1, "more": 1})
+        self.assertEqual((error["path"], error["code"]), ("arguments/more", "unknown_name"))
 
     @unittest.skipUnless("/api/v1/proposals" in INTERFACE["paths"], "the interface has no proposals yet")
     def test_what_an_operator_proposes_is_stored_once_it_is_accepted(self):
