@@ -5,6 +5,7 @@
 #include "core/value/fields.h"
 #include "core/value/json.h"
 #include "server/mcp/schema.h"
+#include "server/wire/errors.h"
 
 namespace race::server::mcp {
 namespace {
@@ -67,12 +68,12 @@ tl::expected<Value, RpcError> call_tool(const Context& context, const Value& par
   const auto name = fields.text("name", kRequired);
   const Value* given = fields.find("arguments");
   if (!errors.empty()) return bad_params(errors);
-  const auto tool = std::ranges::find(all_tools(), *name, &Tool::name);
-  if (tool == all_tools().end())
-    return bad_params({{ErrorCode::not_found, "there is no tool " + quote(*name), "name"}});
+  const Tool* tool = find_tool(*name);
+  if (!tool) return bad_params({{ErrorCode::not_found, "there is no tool " + quote(*name), "name"}});
   const Value arguments = given ? *given : Value(Dict());
-  errors = violations(schema_of(*tool), arguments, "arguments");
-  if (!errors.empty()) return bad_params(errors);
+  if (!arguments.is_dict()) return bad_params({{ErrorCode::type, "must be an object", "arguments"}});
+  const auto wrong = violations(schema_of(*tool), arguments, "arguments");
+  if (!wrong.empty()) return tool_result(tl::unexpected(Problem{0, errors_json(wrong).as_dict()}));
   return tool_result(tool->call(context, arguments.as_dict()));
 }
 

@@ -15,8 +15,9 @@ Value schema_of(const Tool& tool);
 
 /// tools/list: those that the account may use, as far as the server says so now (GET /api/v1/me).
 tl::expected<Value, RpcError> list_tools(const Context& context, const Value& params);
-/// tools/call. Error `invalid_params`: there is no such tool, or its arguments do not fit, with their paths. What the
-/// server refuses, and what is larger than kMostText (`too_large`), is a result that says so (`isError`).
+/// tools/call. Error `invalid_params`: there is no such tool, or its arguments are no object. What a model can mend is
+/// a result that says so (`isError`): arguments that do not fit, with their paths; what the server refuses; what is
+/// larger than kMostText (`too_large`).
 tl::expected<Value, RpcError> call_tool(const Context& context, const Value& params);
 
 /// Whether tools/call with these parameters stops something, and so must wait for no other call.

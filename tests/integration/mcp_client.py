@@ -12,7 +12,7 @@ import jsonschema
 from client import PROGRAM, TIMEOUT
 
 SCHEMA = json.loads((Path(__file__).parent / "mcp_schema.json").read_text())
-NEWEST = "2025-06-18"
+NEWEST = "2025-11-25"
 
 
 def held(name, value):
