@@ -8,7 +8,7 @@ namespace race::server::mcp {
 namespace {
 
 // A revision that no document has: 100000 are the most.
-constexpr const char* kNoRevision = "\"2147483647\"";
+constexpr int kNoRevision = 2'147'483'647;
 constexpr std::size_t kPageBytes = std::size_t{128} * 1024;
 
 // Where a text can be cut that was to be cut at `end`: before a character of UTF-8.
@@ -61,17 +61,17 @@ Outcome read_document(const Context& context, const Dict& arguments) {
   return page_of(*entry, offset->as_integer());
 }
 
-// The server checks a document before it looks at the condition under which it would store it: this is one that does
-// not hold.
+// The server checks what is proposed before it looks at the revision that it would change: this is one that no document
+// has, so that nothing is kept.
 Outcome check_document(const Context& context, const Dict& arguments) {
   const Value* name = arguments.find("name");
-  const auto stored = context.api.ask("PUT", Target{"documents", name ? name->as_string() : "check"},
-                                      *arguments.find("document"), {{"If-Match", kNoRevision}});
-  if (stored) return tl::unexpected(make_problem({ErrorCode::conflict, "the server has stored the document"}));
-  if (stored.error().status == 412) return Dict{{"valid", true}, {"errors", List()}};
-  if (stored.error().status != 422) return stored;
+  const Dict body{{"document", *arguments.find("document")}, {"revision", kNoRevision}};
+  const auto kept = context.api.post(Target{"documents", name ? name->as_string() : "check", "proposals"}, body);
+  if (kept) return tl::unexpected(make_problem({ErrorCode::conflict, "the server has kept a proposal"}));
+  if (kept.error().status == 409) return Dict{{"valid", true}, {"errors", List()}};
+  if (kept.error().status != 422) return kept;
   Dict found{{"valid", false}};
-  for (const auto& [key, value] : stored.error().errors) found.set(key, value);
+  for (const auto& [key, value] : kept.error().errors) found.set(key, value);
   return found;
 }
 

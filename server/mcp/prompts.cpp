@@ -17,18 +17,17 @@ constexpr std::array kPrompts = {
            "Explain run {} of the robot cell to a person who has not watched it. Look at it with run_status, read the "
            "last macro steps with read_derivations, and ask explain_port about the ports that decided how it went. Say "
            "what happened, why, and what could be done; change and start nothing."},
-    Prompt{
-        "repair_document", "Repair a document", "Finds what is wrong in a document, and offers a repair.", "document",
-        "The name of the document",
-        "The document {} of the robot cell has errors. Read it with read_document, and look at each error's path, "
-        "code and message. Change as little as possible, check the result with check_document until it is valid, and "
-        "say what you have changed and why. Start nothing."},
+    Prompt{"repair_document", "Repair a document", "Finds what is wrong in a document, and offers a repair.",
+           "document", "The name of the document",
+           "The document {} of the robot cell has errors. Read it with read_document, and look at each error's path, "
+           "code and message. Change as little as possible, check the result with check_document until it is valid, "
+           "offer it with propose_document, and say what you have changed and why. Start nothing."},
     Prompt{
         "new_task", "Make a task", "Puts a task together from skills.", "goal", "What the robot should do",
         "Make a task for the robot cell: {}. Read race://cell, the skills with list_skills and the services with "
         "list_services; read a document that is similar first. Put the task together from skills where they fit, with "
-        "values within their ranges, and a way on for each error. Check it with check_document until it is valid. "
-        "Start it only if the person asks for it: a robot may move."},
+        "values within their ranges, and a way on for each error. Check it with check_document until it is valid, and "
+        "offer it with propose_document. Start it only if the person asks for it: a robot may move."},
 };
 
 Value prompt_json(const Prompt& prompt) {

@@ -24,4 +24,12 @@ Outcome read_proposal(const Context& context, const Dict& arguments) {
   return context.api.get(Target{"proposals", text_of(arguments, "id")});
 }
 
+Outcome withdraw_proposal(const Context& context, const Dict& arguments) {
+  const auto author = author_of(context);
+  if (!author) return tl::unexpected(author.error());
+  Target target{"proposals", text_of(arguments, "id")};
+  target.with("author", *author);
+  return context.api.ask("DELETE", target);
+}
+
 }  // namespace race::server::mcp

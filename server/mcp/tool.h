@@ -41,6 +41,7 @@ Outcome change_document(const Context& context, const Dict& arguments);
 Outcome propose_document(const Context& context, const Dict& arguments);
 Outcome list_proposals(const Context& context, const Dict& arguments);
 Outcome read_proposal(const Context& context, const Dict& arguments);
+Outcome withdraw_proposal(const Context& context, const Dict& arguments);
 // Skills and services (offer_tools.cpp)
 Outcome list_skills(const Context& context, const Dict& arguments);
 Outcome list_services(const Context& context, const Dict& arguments);

@@ -40,7 +40,7 @@ constexpr std::array kTools = {
          kReads, list_services},
     Tool{"check_document", "Check a document",
          "Whether a document is valid, or all its errors with path, code and message (200 at most). Nothing is "
-         "stored. The server asks for the right to change documents; propose_document checks, too.",
+         "stored. The server asks for the right to propose documents.",
          R"("document": {"type": "object"},
             "name": {"type": "string", "minLength": 1, "description": "Under which it would be stored"})",
          R"("document")", kReads, check_document},
@@ -62,6 +62,10 @@ constexpr std::array kTools = {
          "", kReads, list_proposals},
     Tool{"read_proposal", "Read a proposal", "A proposal with its document, `proposed`, and what has become of it.",
          R"("id": {"type": "string", "minLength": 1})", R"("id")", kReads, read_proposal},
+    Tool{"withdraw_proposal", "Withdraw a proposal",
+         "Takes back a proposal of this account that nobody has decided about, such as one that is outdated or "
+         "was a mistake.",
+         R"("id": {"type": "string", "minLength": 1})", R"("id")", kEnds, withdraw_proposal},
     Tool{"change_document", "Change a document",
          "Stores a document as the next revision, whole or not at all, without asking anybody. `revision`: the "
          "last one that you have seen; if there is a later one, the answer is `conflict`. Without it there must "

@@ -19,7 +19,6 @@ import jsonschema
 import models
 from accounts import PASSWORD, AccountServer
 from client import PROGRAM, PROJECT, TIMEOUT, Server
-from interface import INTERFACE
 from mcp_client import NEWEST, Agent
 from race_command import Person
 
@@ -340,6 +339,7 @@ class Changing(AgentCase):
         self.assertFalse(checked["valid"])
         self.assertEqual(agent.call("check_document", document=models.ticking("fine"), name="fine"), {"valid": True, "errors": []})
         self.assertEqual(agent.errors("read_document", name="fine")[0]["code"], "not_found")
+        self.assertEqual(agent.call("list_proposals"), {"proposals": []})
         many = models.document("many", {"state": "Root", "children": [{"state": "A", "first": "B"}] * 150})
         checked = agent.call("check_document", document=many)
         self.assertEqual((len(checked["errors"]), checked["more_errors"]), (200, True))
@@ -534,6 +534,7 @@ class Rights(unittest.TestCase):
         self.assertEqual(agent.call("read_document", name="ticking")["revision"], 1)
         for tool, arguments in (("start_run", {"document": "ticking"}), ("stop_run", {"run": "1"}),
                                 ("queue_run", {"document": "ticking"}), ("cancel_queued_run", {"id": "1"}),
+                                ("propose_document", {"name": "x", "document": models.ticking("x")}), ("withdraw_proposal", {"id": "1"}),
                                 ("call_service", {"service": "db", "operation": "get", "args": ["x"]}),
                                 ("check_document", {"document": WRONG}),
                                 ("change_document", {"name": "ticking", "document": models.ticking(), "revision": 1})):
@@ -547,8 +548,8 @@ class Rights(unittest.TestCase):
         self.assertTrue(agent.call("wait_for_run", run=run)["over"])
         [error] = agent.errors("start_run", document="ticking", arguments={"last": 1, "more": 1})
         self.assertEqual((error["path"], error["code"]), ("arguments/more", "unknown_name"))
+        self.assertEqual([e["path"] for e in agent.call("check_document", document=WRONG)["errors"]], ["Root.done"])
 
-    @unittest.skipUnless("/api/v1/proposals" in INTERFACE["paths"], "the interface has no proposals yet")
     def test_what_an_operator_proposes_is_stored_once_it_is_accepted(self):
         agent = self.agent("operator")
         before = agent.call("read_document", name="ticking")["revision"]
@@ -563,8 +564,24 @@ class Rights(unittest.TestCase):
         self.server.post(f"/proposals/{made['id']}/accept")
         self.assertEqual(agent.call("read_proposal", id=made["id"])["status"], "accepted")
         self.assertEqual(agent.call("read_document", name="ticking")["revision"], before + 1)
-        self.assertEqual(self.agent("observer").errors("propose_document", name="x", document=models.ticking("x"))[0]["code"], "rights")
         self.assertEqual(agent.errors("read_proposal", id="999")[0]["code"], "not_found")
+
+    def test_a_proposal_is_withdrawn_by_who_made_it(self):
+        agent = self.agent("operator")
+        made = agent.call("propose_document", name="mistaken", document=models.ticking("mistaken"))
+        withdrawn = agent.call("withdraw_proposal", id=made["id"])
+        self.assertEqual((withdrawn["status"], withdrawn["decided_by"]), ("withdrawn", "operator~mcp"))
+        self.assertEqual(agent.errors("withdraw_proposal", id=made["id"])[0]["code"], "conflict")
+        other = self.server.post("/documents/other/proposals", {"document": models.ticking("other")}, "proposal", 201)
+        self.assertEqual(agent.errors("withdraw_proposal", id=other["id"])[0]["code"], "rights")
+
+    def test_who_has_logged_in_needs_no_token(self):
+        person = Person(self, f"http://127.0.0.1:{self.server.port}")
+        person.done("login", "operator", text=PASSWORD + "\n")
+        with Agent(person.url, state=person.state) as agent:
+            self.assertEqual(agent.errors("stop_run", run="999999")[0]["code"], "not_found")
+            person.done("logout")
+            self.assertEqual(agent.errors("stop_run", run="999999")[0]["code"], "login")
 
     def test_a_developer_changes_under_the_name_of_the_account(self):
         with tempfile.NamedTemporaryFile("w") as file:
