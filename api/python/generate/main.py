@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
-"""generate/main.py [--check]: makes what race_client has from api/: messages.py, calls/ and plain/. With --check it writes nothing,
-names the files that are not up to date, and ends with 1 if there are any. Needs python3-yaml."""
+"""generate/main.py [--check]: makes what race_client has from api/: messages.py, calls/ and plain/; and the calls of ../typescript. With
+--check it writes nothing, names the files that are not up to date, and ends with 1 if there are any. Needs python3-yaml."""
 import sys
 from pathlib import Path
 
-from calls import all_routes, calls_text, stream_path
+import typescript
+from calls import calls_text, snake
 from messages import messages_text
 from plain import plain_text
+from routes import Route, all_routes, stream_path
+from schemas import API
 
 PACKAGE = Path(__file__).resolve().parents[1] / "race_client"
 # What the client sends and reads on the stream; bodies and answers of REST come from openapi.yaml.
@@ -17,8 +20,8 @@ WRITTEN_TWICE = "net.py"
 def outputs() -> dict[Path, str]:
     """Every generated file, and what it must have."""
     routes = all_routes()
-    files = {}
     modules = {name: [route for route in routes if route.module == name] for name in sorted({route.module for route in routes})}
+    files = typescript.outputs(modules)
     for name, group in modules.items():
         files[PACKAGE / "calls" / f"{name}.py"] = calls_text(name, group)
     files[PACKAGE / "calls" / "__init__.py"] = init_text(modules)
@@ -30,13 +33,13 @@ def outputs() -> dict[Path, str]:
     return files
 
 
-def init_text(modules: dict[str, list]) -> str:
-    imports = [f"from .{name} import {', '.join(sorted(route.name for route in group))}" for name, group in modules.items()]
+def init_text(modules: dict[str, list[Route]]) -> str:
+    imports = [f"from .{name} import {', '.join(sorted(snake(route.operation_id) for route in group))}" for name, group in modules.items()]
     lines = []
     for line in imports:
         head, _, names = line.partition(" import ")
         lines += [f"{head} import (", *(f"    {name}," for name in names.split(", ")), ")"]
-    names = sorted(route.name for group in modules.values() for route in group)
+    names = sorted(snake(route.operation_id) for group in modules.values() for route in group)
     head = '"""All routes of the server, a function for each: what it sends and answers. Made by generate/main.py."""'
     listed = [f'    "{name}",' for name in ["STREAM_PATH", *names]]
     return "\n".join([head, *lines, "", f'STREAM_PATH = "{stream_path()}"', "", "__all__ = [", *listed, "]", ""])
@@ -47,11 +50,11 @@ def main() -> int:
     only_check = sys.argv[1:] == ["--check"]
     wanted = outputs()
     kept = {PACKAGE / "plain" / WRITTEN_TWICE}
-    there = {*(PACKAGE / "calls").glob("*.py"), *(PACKAGE / "plain").glob("*.py")} - kept
+    there = {*(PACKAGE / "calls").glob("*.py"), *(PACKAGE / "plain").glob("*.py"), *typescript.CALLS.glob("*.ts")} - kept
     stale = [path for path, text in wanted.items() if not path.exists() or path.read_text() != text]
     surplus = sorted(there - wanted.keys())
     for path in [*stale, *surplus]:
-        print(f"{path.relative_to(PACKAGE.parent)}: not up to date" if only_check else path.relative_to(PACKAGE.parent))
+        print(f"{path.relative_to(API)}: not up to date" if only_check else path.relative_to(API))
     if not only_check:
         for path in stale:
             path.parent.mkdir(exist_ok=True)

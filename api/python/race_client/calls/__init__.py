@@ -10,10 +10,12 @@ from .accounts import (
 )
 from .backups import (
     create_backup,
+    create_backup_task,
     delete_backup,
     get_backup,
     list_backups,
     restore_backup,
+    restore_backup_task,
 )
 from .cell import (
     command_person,
@@ -102,6 +104,7 @@ from .runs import (
     get_run_timing,
     get_run_why,
     import_run,
+    import_run_task,
     list_runs,
 )
 from .server import (
@@ -146,6 +149,7 @@ __all__ = [
     "confirm_core_edit",
     "create_account",
     "create_backup",
+    "create_backup_task",
     "create_core",
     "create_pairing",
     "create_ticket",
@@ -199,6 +203,7 @@ __all__ = [
     "get_task",
     "get_why",
     "import_run",
+    "import_run_task",
     "list_accounts",
     "list_backups",
     "list_cores",
@@ -222,6 +227,7 @@ __all__ = [
     "reset_cell",
     "reset_stop",
     "restore_backup",
+    "restore_backup_task",
     "restore_document",
     "resume_core",
     "resume_queue",

@@ -1,7 +1,7 @@
 """Routes of api/openapi.yaml: runs. Made by generate/main.py. The request filter of the server may also refuse each."""
 from ..call import Call, segment
 from ..messages import (Derivations, Journal, Native, Past, Run, RunComparison, RunFile, RunPicture, RunPictures, RunRemoved,
-                        RunSamples, Runs, Script, Timing, Why)
+                        RunSamples, Runs, Script, Task, Timing, Why)
 
 
 def list_runs(*, document: str | None = None, before: int | None = None, limit: int | None = None) -> Call[Runs]:
@@ -23,7 +23,7 @@ def list_runs(*, document: str | None = None, before: int | None = None, limit: 
     return Call("GET", "/api/v1/runs", query={"document": document, "before": before, "limit": limit})
 
 
-def import_run(body: RunFile, *, idempotency_key: str | None = None, prefer: str | None = None) -> Call[Run]:
+def import_run(body: RunFile, *, idempotency_key: str | None = None) -> Call[Run]:
     """Stores the file of a run, of this server or another one, under a new number.
 
     A file has at most 16 MiB and 642 levels, where other bodies have 4 MiB and 64. It is checked whole: its chain is computed
@@ -34,9 +34,6 @@ def import_run(body: RunFile, *, idempotency_key: str | None = None, prefer: str
     the first time, with `Idempotency-Replayed: true`, and creates nothing more: also if the first answer was lost. Refused
     requests may be sent again. Another request with the key is refused with 422, one that comes while the first is under way with
     409 (`conflict`). The last 1000 answers are kept, while the server runs.
-
-    prefer: `respond-async` (RFC 7240): the request is answered 202 before its work is done, and GET /api/v1/tasks/{id} says how
-    far it is and what it comes to. 503 (`unavailable`): the server works on 16 such requests already, or on bodies of 32 MiB.
 
     400: The body is no JSON or out of its limits (`json`, `too_deep`, `out_of_range`).
 
@@ -52,7 +49,33 @@ def import_run(body: RunFile, *, idempotency_key: str | None = None, prefer: str
     507: The disk is full, fails or hangs (`storage`). Nothing is changed, or it is not known yet what is stored: then the run is
     interrupted. Ask again when it works.
     """
-    return Call("POST", "/api/v1/runs", headers={"Idempotency-Key": idempotency_key, "Prefer": prefer}, body=body)
+    return Call("POST", "/api/v1/runs", headers={"Idempotency-Key": idempotency_key}, body=body)
+
+
+def import_run_task(body: RunFile, *, idempotency_key: str | None = None) -> Call[Task]:
+    """As import_run, but answered before it is done: get_task says what it comes to. The server works on 16 such requests at most
+    (503, `unavailable`).
+
+    idempotency_key: Chosen by the client, another one for each request. A request that is sent again with its key is answered as
+    the first time, with `Idempotency-Replayed: true`, and creates nothing more: also if the first answer was lost. Refused
+    requests may be sent again. Another request with the key is refused with 422, one that comes while the first is under way with
+    409 (`conflict`). The last 1000 answers are kept, while the server runs.
+
+    400: The body is no JSON or out of its limits (`json`, `too_deep`, `out_of_range`).
+
+    409: `conflict`: a run does not take an entry of its journal.
+
+    413: `too_large`: the file, its samples, or the work or time that its run takes.
+
+    422: Every violation of the format; `version`; or `corrupt`: the record or the chain is not that of the journal.
+
+    503: Three replays are asked for already, or those before take long (`unavailable`): ask again. Or the store cannot be read
+    (`io`).
+
+    507: The disk is full, fails or hangs (`storage`). Nothing is changed, or it is not known yet what is stored: then the run is
+    interrupted. Ask again when it works.
+    """
+    return Call("POST", "/api/v1/runs", headers={"Idempotency-Key": idempotency_key, "Prefer": "respond-async"}, body=body)
 
 
 def get_run(run: str) -> Call[Run]:

@@ -1,0 +1,452 @@
+// Routes of api/openapi.yaml: runs. Made by api/python/generate/main.py. The request filter may also refuse each.
+import { segment, type Body, type Call } from "../call.js";
+import type { Derivations, Journal, Native, Past, Run, RunComparison, RunFile, RunPicture, RunPictures, RunRemoved, RunSamples, Runs, Script, Task, Timing, Why } from "../generated/messages.js";
+import * as schema from "../generated/validators.js";
+
+/**
+ * The stored runs, the newest first; at most 100 of an answer.
+ *
+ * document: Only those of this document.
+ *
+ * before: Only those with a smaller number.
+ *
+ * 400: A parameter is out of its range (`out_of_range`).
+ *
+ * 500: What is stored is damaged (`corrupt`); the error names the part.
+ *
+ * 503: The store cannot be read or written (`io`), or others change the same document and take long (`unavailable`): ask again.
+ *
+ * 507: The disk is full, fails or hangs (`storage`). Nothing is changed, or it is not known yet what is stored: then the run is
+ * interrupted. Ask again when it works.
+ */
+export const listRuns = (
+  options: { readonly document?: string | undefined; readonly before?: number | undefined; readonly limit?: number | undefined } = {},
+): Call<Runs> => ({
+  method: "GET",
+  path: "/api/v1/runs",
+  query: { document: options.document, before: options.before, limit: options.limit },
+  answer: schema.runs,
+});
+
+/**
+ * Stores the file of a run, of this server or another one, under a new number.
+ *
+ * A file has at most 16 MiB and 642 levels, where other bodies have 4 MiB and 64. It is checked whole: its chain is computed
+ * anew, and the run is done again, with at most 4 million micro steps, in at most 20 seconds and within the budgets of a new run.
+ * Its document is not stored. Nothing of it is executed.
+ *
+ * idempotencyKey: Chosen by the client, another one for each request. A request that is sent again with its key is answered as
+ * the first time, with `Idempotency-Replayed: true`, and creates nothing more: also if the first answer was lost. Refused
+ * requests may be sent again. Another request with the key is refused with 422, one that comes while the first is under way with
+ * 409 (`conflict`). The last 1000 answers are kept, while the server runs.
+ *
+ * 400: The body is no JSON or out of its limits (`json`, `too_deep`, `out_of_range`).
+ *
+ * 409: `conflict`: a run does not take an entry of its journal.
+ *
+ * 413: `too_large`: the file, its samples, or the work or time that its run takes.
+ *
+ * 422: Every violation of the format; `version`; or `corrupt`: the record or the chain is not that of the journal.
+ *
+ * 503: Three replays are asked for already, or those before take long (`unavailable`): ask again. Or the store cannot be read
+ * (`io`).
+ *
+ * 507: The disk is full, fails or hangs (`storage`). Nothing is changed, or it is not known yet what is stored: then the run is
+ * interrupted. Ask again when it works.
+ */
+export const importRun = (body: Body<RunFile>, options: { readonly idempotencyKey?: string | undefined } = {}): Call<Run> => ({
+  method: "POST",
+  path: "/api/v1/runs",
+  headers: { "Idempotency-Key": options.idempotencyKey },
+  body,
+  answer: schema.run,
+});
+
+/**
+ * As importRun, but answered before it is done: getTask says what it comes to. The server works on 16 such requests at most (503,
+ * `unavailable`).
+ *
+ * idempotencyKey: Chosen by the client, another one for each request. A request that is sent again with its key is answered as
+ * the first time, with `Idempotency-Replayed: true`, and creates nothing more: also if the first answer was lost. Refused
+ * requests may be sent again. Another request with the key is refused with 422, one that comes while the first is under way with
+ * 409 (`conflict`). The last 1000 answers are kept, while the server runs.
+ *
+ * 400: The body is no JSON or out of its limits (`json`, `too_deep`, `out_of_range`).
+ *
+ * 409: `conflict`: a run does not take an entry of its journal.
+ *
+ * 413: `too_large`: the file, its samples, or the work or time that its run takes.
+ *
+ * 422: Every violation of the format; `version`; or `corrupt`: the record or the chain is not that of the journal.
+ *
+ * 503: Three replays are asked for already, or those before take long (`unavailable`): ask again. Or the store cannot be read
+ * (`io`).
+ *
+ * 507: The disk is full, fails or hangs (`storage`). Nothing is changed, or it is not known yet what is stored: then the run is
+ * interrupted. Ask again when it works.
+ */
+export const importRunTask = (
+  body: Body<RunFile>,
+  options: { readonly idempotencyKey?: string | undefined } = {},
+): Call<Task> => ({
+  method: "POST",
+  path: "/api/v1/runs",
+  headers: { "Idempotency-Key": options.idempotencyKey, "Prefer": "respond-async" },
+  body,
+  answer: schema.task,
+});
+
+/**
+ * One stored run.
+ *
+ * 404: There is nothing of this name or number (`not_found`).
+ *
+ * 500: What is stored is damaged (`corrupt`); the error names the part.
+ *
+ * 503: The store cannot be read or written (`io`), or others change the same document and take long (`unavailable`): ask again.
+ *
+ * 507: The disk is full, fails or hangs (`storage`). Nothing is changed, or it is not known yet what is stored: then the run is
+ * interrupted. Ask again when it works.
+ */
+export const getRun = (run: string): Call<Run> => ({ method: "GET", path: `/api/v1/runs/${segment(run)}`, answer: schema.run });
+
+/**
+ * Removes a run from the store with its journal, also one that is damaged.
+ *
+ * 404: There is nothing of this name or number (`not_found`).
+ *
+ * 409: `conflict`: a core has this run; delete the core first.
+ *
+ * 500: What is stored is damaged (`corrupt`); the error names the part.
+ *
+ * 503: The store cannot be read or written (`io`), or others change the same document and take long (`unavailable`): ask again.
+ *
+ * 507: The disk is full, fails or hangs (`storage`). Nothing is changed, or it is not known yet what is stored: then the run is
+ * interrupted. Ask again when it works.
+ */
+export const deleteRun = (run: string): Call<RunRemoved> => ({
+  method: "DELETE",
+  path: `/api/v1/runs/${segment(run)}`,
+  answer: schema.runRemoved,
+});
+
+/**
+ * The model that was executed.
+ *
+ * 404: There is nothing of this name or number (`not_found`).
+ *
+ * 422: `version`: an earlier version of the server executed it, by other semantics.
+ *
+ * 500: What is stored is damaged (`corrupt`); the error names the part.
+ *
+ * 503: The store cannot be read or written (`io`), or others change the same document and take long (`unavailable`): ask again.
+ *
+ * 507: The disk is full, fails or hangs (`storage`). Nothing is changed, or it is not known yet what is stored: then the run is
+ * interrupted. Ask again when it works.
+ */
+export const getRunNative = (run: string): Call<Native> => ({
+  method: "GET",
+  path: `/api/v1/runs/${segment(run)}/native`,
+  answer: schema.native,
+});
+
+/**
+ * The derivations of macro steps, recomputed from the journal; at most 100 steps of an answer.
+ *
+ * from: First macro step; else the last one.
+ *
+ * to: Last macro step; else `from`.
+ *
+ * 400: A parameter is out of its range (`out_of_range`).
+ *
+ * 404: There is nothing of this name or number (`not_found`).
+ *
+ * 409: `conflict`: a run does not take an entry of its journal.
+ *
+ * 413: `too_large`: the replay takes longer than 20 seconds.
+ *
+ * 422: `version`: an earlier version of the server executed it, by other semantics.
+ *
+ * 500: What is stored is damaged (`corrupt`); the error names the part.
+ *
+ * 503: Three replays are asked for already, or those before take long (`unavailable`): ask again. Or the store cannot be read
+ * (`io`).
+ *
+ * 507: The disk is full, fails or hangs (`storage`). Nothing is changed, or it is not known yet what is stored: then the run is
+ * interrupted. Ask again when it works.
+ */
+export const getRunDerivations = (
+  run: string,
+  options: { readonly from?: number | undefined; readonly to?: number | undefined } = {},
+): Call<Derivations> => ({
+  method: "GET",
+  path: `/api/v1/runs/${segment(run)}/derivations`,
+  query: { from: options.from, to: options.to },
+  answer: schema.derivations,
+});
+
+/**
+ * The stored run as it was at a micro step, recomputed from the journal. Nothing of it is done again; robots and services stay
+ * where they are.
+ *
+ * step: A macro step of it.
+ *
+ * micro: After this many micro steps of it; absent, or more than it has: at its end.
+ *
+ * 400: A parameter is out of its range (`out_of_range`).
+ *
+ * 404: There is nothing of this name or number (`not_found`).
+ *
+ * 409: `conflict`: a run does not take an entry of its journal.
+ *
+ * 413: `too_large`: the replay takes longer than 20 seconds.
+ *
+ * 422: `version`: an earlier version of the server executed it, by other semantics.
+ *
+ * 500: What is stored is damaged (`corrupt`); the error names the part.
+ *
+ * 503: Three replays are asked for already, or those before take long (`unavailable`): ask again. Or the store cannot be read
+ * (`io`).
+ *
+ * 507: The disk is full, fails or hangs (`storage`). Nothing is changed, or it is not known yet what is stored: then the run is
+ * interrupted. Ask again when it works.
+ */
+export const getRunPast = (run: string, options: { readonly step: number; readonly micro?: number | undefined }): Call<Past> => ({
+  method: "GET",
+  path: `/api/v1/runs/${segment(run)}/past`,
+  query: { step: options.step, micro: options.micro },
+  answer: schema.past,
+});
+
+/**
+ * Why a port of the stored run fired or an action was executed, or not, or what gave a parameter its value, recomputed from the
+ * journal.
+ *
+ * port: A port, as Root/A.success; or `state` with one of `action` and `parameter`.
+ *
+ * state: The state of the action or parameter, as Root/A.
+ *
+ * action: Its number within the state, from 0.
+ *
+ * parameter: Its name.
+ *
+ * step: With `micro`: as things were in this macro step; else as they are at the end of what is stored.
+ *
+ * micro: Before this micro step of it, and when the turn of what is asked about comes in it; those that the derivation of the
+ * step lists.
+ *
+ * 400: A parameter is out of its range (`out_of_range`).
+ *
+ * 404: No such run, port, action or parameter.
+ *
+ * 409: `conflict`: a run does not take an entry of its journal.
+ *
+ * 413: `too_large`: the replay takes longer than 20 seconds.
+ *
+ * 422: `missing`: what is asked about, or one of `step` and `micro`; or `version`.
+ *
+ * 500: What is stored is damaged (`corrupt`); the error names the part.
+ *
+ * 503: Three replays are asked for already, or those before take long (`unavailable`): ask again. Or the store cannot be read
+ * (`io`).
+ *
+ * 507: The disk is full, fails or hangs (`storage`). Nothing is changed, or it is not known yet what is stored: then the run is
+ * interrupted. Ask again when it works.
+ */
+export const getRunWhy = (
+  run: string,
+  options: { readonly port?: string | undefined; readonly state?: string | undefined; readonly action?: number | undefined; readonly parameter?: string | undefined; readonly step?: number | undefined; readonly micro?: number | undefined } = {},
+): Call<Why> => ({
+  method: "GET",
+  path: `/api/v1/runs/${segment(run)}/why`,
+  query: { port: options.port, state: options.state, action: options.action, parameter: options.parameter, step: options.step, micro: options.micro },
+  answer: schema.why,
+});
+
+/**
+ * Header and inputs of the run, in order of delivery; the run is a function of these.
+ *
+ * 404: There is nothing of this name or number (`not_found`).
+ *
+ * 413: `too_large`: the answer would have more than 16 MiB (16777216 bytes). Ask for parts of it, /api/v1/runs/{run}/derivations,
+ * or read the run where it is stored: `race replay RUN --data DIR`.
+ *
+ * 422: `version`: an earlier version of the server executed it, by other semantics.
+ *
+ * 500: What is stored is damaged (`corrupt`); the error names the part.
+ *
+ * 503: The store cannot be read or written (`io`), or others change the same document and take long (`unavailable`): ask again.
+ *
+ * 507: The disk is full, fails or hangs (`storage`). Nothing is changed, or it is not known yet what is stored: then the run is
+ * interrupted. Ask again when it works.
+ */
+export const getRunJournal = (run: string): Call<Journal> => ({
+  method: "GET",
+  path: `/api/v1/runs/${segment(run)}/journal`,
+  answer: schema.journal,
+});
+
+/**
+ * The run as a script; with the model of `native` (as a document), `race derive` gives this run's derivations.
+ *
+ * 404: There is nothing of this name or number (`not_found`).
+ *
+ * 413: `too_large`: the answer would have more than 16 MiB (16777216 bytes). Ask for parts of it, /api/v1/runs/{run}/derivations,
+ * or read the run where it is stored: `race replay RUN --data DIR`.
+ *
+ * 422: `version`: an earlier version of the server executed it, by other semantics.
+ *
+ * 500: What is stored is damaged (`corrupt`); the error names the part.
+ *
+ * 503: The store cannot be read or written (`io`), or others change the same document and take long (`unavailable`): ask again.
+ *
+ * 507: The disk is full, fails or hangs (`storage`). Nothing is changed, or it is not known yet what is stored: then the run is
+ * interrupted. Ask again when it works.
+ */
+export const getRunScript = (run: string): Call<Script> => ({
+  method: "GET",
+  path: `/api/v1/runs/${segment(run)}/script`,
+  answer: schema.script,
+});
+
+/**
+ * Where everything in the cell was while the run was running. Empty without a world.
+ *
+ * 404: There is nothing of this name or number (`not_found`).
+ *
+ * 500: What is stored is damaged (`corrupt`); the error names the part.
+ *
+ * 503: The store cannot be read or written (`io`), or others change the same document and take long (`unavailable`): ask again.
+ *
+ * 507: The disk is full, fails or hangs (`storage`). Nothing is changed, or it is not known yet what is stored: then the run is
+ * interrupted. Ask again when it works.
+ */
+export const getRunSamples = (run: string): Call<RunSamples> => ({
+  method: "GET",
+  path: `/api/v1/runs/${segment(run)}/samples`,
+  answer: schema.runSamples,
+});
+
+/**
+ * Which pictures of cameras are kept of the time in which the run was running.
+ *
+ * 404: There is nothing of this name or number (`not_found`).
+ *
+ * 503: The store cannot be read or written (`io`), or others change the same document and take long (`unavailable`): ask again.
+ *
+ * 507: The disk is full, fails or hangs (`storage`). Nothing is changed, or it is not known yet what is stored: then the run is
+ * interrupted. Ask again when it works.
+ */
+export const getRunPictures = (run: string): Call<RunPictures> => ({
+  method: "GET",
+  path: `/api/v1/runs/${segment(run)}/pictures`,
+  answer: schema.runPictures,
+});
+
+/**
+ * One of these pictures.
+ *
+ * number: Of the list.
+ *
+ * 404: There is nothing of this name or number (`not_found`).
+ *
+ * 500: What is stored is damaged (`corrupt`); the error names the part.
+ *
+ * 503: The store cannot be read or written (`io`), or others change the same document and take long (`unavailable`): ask again.
+ *
+ * 507: The disk is full, fails or hangs (`storage`). Nothing is changed, or it is not known yet what is stored: then the run is
+ * interrupted. Ask again when it works.
+ */
+export const getRunPicture = (run: string, number: number): Call<RunPicture> => ({
+  method: "GET",
+  path: `/api/v1/runs/${segment(run)}/pictures/${segment(number)}`,
+  answer: schema.runPicture,
+});
+
+/**
+ * When macro steps of the run began, when the inputs came that they deliver, and which states services had meanwhile; at most
+ * 1000 steps of an answer.
+ *
+ * from: First macro step; else 999 before `to`.
+ *
+ * to: Last macro step; else the last one of the run.
+ *
+ * 400: A parameter is out of its range (`out_of_range`).
+ *
+ * 404: There is nothing of this name or number (`not_found`).
+ *
+ * 500: What is stored is damaged (`corrupt`); the error names the part.
+ *
+ * 503: The store cannot be read or written (`io`), or others change the same document and take long (`unavailable`): ask again.
+ *
+ * 507: The disk is full, fails or hangs (`storage`). Nothing is changed, or it is not known yet what is stored: then the run is
+ * interrupted. Ask again when it works.
+ */
+export const getRunTiming = (
+  run: string,
+  options: { readonly from?: number | undefined; readonly to?: number | undefined } = {},
+): Call<Timing> => ({
+  method: "GET",
+  path: `/api/v1/runs/${segment(run)}/timing`,
+  query: { from: options.from, to: options.to },
+  answer: schema.timing,
+});
+
+/**
+ * All of a run in one file, which any server opens.
+ *
+ * 404: There is nothing of this name or number (`not_found`).
+ *
+ * 413: `too_large`: the answer would have more than 16 MiB (16777216 bytes). Ask for parts of it, /api/v1/runs/{run}/derivations,
+ * or read the run where it is stored: `race replay RUN --data DIR`.
+ *
+ * 422: `version`: an earlier version of the server executed it, by other semantics.
+ *
+ * 500: What is stored is damaged (`corrupt`); the error names the part.
+ *
+ * 503: The store cannot be read or written (`io`), or others change the same document and take long (`unavailable`): ask again.
+ *
+ * 507: The disk is full, fails or hangs (`storage`). Nothing is changed, or it is not known yet what is stored: then the run is
+ * interrupted. Ask again when it works.
+ */
+export const exportRun = (run: string): Call<RunFile> => ({
+  method: "GET",
+  path: `/api/v1/runs/${segment(run)}/export`,
+  answer: schema.runFile,
+});
+
+/**
+ * The first macro step of which the derivations, calls or states of two runs differ, and the first derivation in it that does; at
+ * most 2000 steps of an answer.
+ *
+ * with: The other run.
+ *
+ * from: The macro step to begin with; else the first one.
+ *
+ * 400: A parameter is out of its range (`out_of_range`).
+ *
+ * 404: There is nothing of this name or number (`not_found`).
+ *
+ * 409: `conflict`: a run does not take an entry of its journal.
+ *
+ * 413: `too_large`: the replay takes longer than 20 seconds.
+ *
+ * 422: `missing`: with which run; or `version`.
+ *
+ * 500: What is stored is damaged (`corrupt`); the error names the part.
+ *
+ * 503: Three replays are asked for already, or those before take long (`unavailable`): ask again. Or the store cannot be read
+ * (`io`).
+ *
+ * 507: The disk is full, fails or hangs (`storage`). Nothing is changed, or it is not known yet what is stored: then the run is
+ * interrupted. Ask again when it works.
+ */
+export const compareRun = (
+  run: string,
+  options: { readonly with: string; readonly from?: number | undefined },
+): Call<RunComparison> => ({
+  method: "GET",
+  path: `/api/v1/runs/${segment(run)}/compare`,
+  query: { with: options.with, from: options.from },
+  answer: schema.runComparison,
+});
