@@ -8,7 +8,7 @@ import ts from "typescript-eslint";
 const root = fileURLToPath(new URL("..", import.meta.url));
 
 export default defineConfig(
-  { ignores: ["web/dist/**", "web/generated/**", "web/node_modules/**", "build/**"] },
+  { ignores: ["web/dist/**", "web/generated/**", "web/node_modules/**", "api/typescript/dist/**", "api/typescript/src/generated/**", "build/**"] },
   js.configs.recommended,
   {
     files: ["**/*.ts", "**/*.tsx"],

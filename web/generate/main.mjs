@@ -1,22 +1,27 @@
-// Makes web/generated/ from api/schemas: types of all messages of the pages, validators of those that they read.
+// Makes api/typescript/src/generated/ from api/schemas: types of all messages of clients, validators of those that they read; and web/generated/,
+// which has them for the pages, and what is of the pages alone.
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { kRead, kReadByStop, kWritten, loadSchemas } from "./schemas.mjs";
 import { typesOf } from "./types.mjs";
 import { declarationsOf, validatorsOf } from "./validators.mjs";
 
-const output = new URL("../generated/", import.meta.url);
-const kHeader = "// Made from api/schemas by `npm run generate`.\n";
+const client = new URL("../../api/typescript/src/generated/", import.meta.url);
+const pages = new URL("../generated/", import.meta.url);
+const kClient = "../../api/typescript/src/generated";
+const kHeader = "// Made from api/schemas by `npm run generate` in web/.\n";
 
 /** A file that is as it should be keeps its time. */
-function write(name, text) {
-  const url = new URL(name, output);
-  if (!existsSync(url) || readFileSync(url, "utf8") !== text) writeFileSync(url, text);
+function write(folder, name, text) {
+  const url = new URL(name, folder);
+  if (!existsSync(url) || readFileSync(url, "utf8") !== kHeader + text) writeFileSync(url, kHeader + text);
 }
 
 const schemas = loadSchemas();
-mkdirSync(output, { recursive: true });
-write("messages.ts", `${kHeader}import type { JsonValue } from "../shared/json";\n\n${await typesOf(schemas, [...kRead, ...kWritten])}`);
-write("validators.js", kHeader + validatorsOf(schemas, kRead));
-write("validators.d.ts", kHeader + declarationsOf(kRead));
-write("stopValidators.js", kHeader + validatorsOf(schemas, kReadByStop));
-write("stopValidators.d.ts", kHeader + declarationsOf(kReadByStop));
+for (const folder of [client, pages]) mkdirSync(folder, { recursive: true });
+write(client, "messages.ts", `import type { JsonValue } from "../json.js";\n\n${await typesOf(schemas, [...kRead, ...kWritten])}`);
+write(client, "validators.js", validatorsOf(schemas, kRead));
+write(client, "validators.d.ts", declarationsOf(kRead, "../check.js", "./messages.js"));
+write(pages, "messages.ts", `export type * from "${kClient}/messages";\n`);
+for (const name of ["validators.js", "validators.d.ts"]) write(pages, name, `export * from "${kClient}/validators.js";\n`);
+write(pages, "stopValidators.js", validatorsOf(schemas, kReadByStop));
+write(pages, "stopValidators.d.ts", declarationsOf(kReadByStop, "../shared/messages/check", "./messages"));

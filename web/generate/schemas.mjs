@@ -1,61 +1,25 @@
-// The schemas of api/, gathered: what the pages read and write, and all that these refer to.
+// The schemas of api/, gathered: what clients read and write, and all that these refer to.
 import { readdirSync, readFileSync } from "node:fs";
 
 const folder = new URL("../../api/schemas/", import.meta.url);
 
-/** Messages that the pages read. Each gets a validator. */
+/** Of the routes: schemas of what they answer, and of what they are sent. */
+const routes = JSON.parse(readFileSync(new URL("../../api/typescript/messages.json", import.meta.url), "utf8"));
+
+/** Messages that clients read. Each gets a validator. */
 export const kRead = [
-  "accepted_edit.json",
-  "account.json",
-  "account_removed.json",
-  "account_tokens.json",
-  "accounts.json",
-  "addresses.json",
-  "audit.json",
+  ...routes.read,
   "cell_pose.json",
-  "control.json",
   "control_message.json",
-  "core.json",
   "core_delta.json",
-  "core_state.json",
-  "cores.json",
-  "derivations.json",
   "display.json",
-  "document_breakpoints.json",
-  "document_entry.json",
-  "document_removed.json",
-  "documents.json",
-  "empty.json",
   "errors.json",
   "presence.json#/$defs/presence_delta",
   "presence.json#/$defs/presence_joined",
   "presence.json#/$defs/presence_snapshot",
   "problem.json",
-  "proposal.json",
-  "proposals.json",
-  "health.json",
-  "journal.json",
-  "login_answer.json",
-  "me.json",
-  "native.json",
   "packet.json",
-  "pair_answer.json",
-  "pairing_created.json",
-  "past.json",
-  "person.json",
-  "revisions.json",
   "rights.json",
-  "rules.json",
-  "run.json",
-  "run_picture.json",
-  "run_pictures.json",
-  "run_comparison.json",
-  "run_removed.json",
-  "runs.json",
-  "samples.json",
-  "scene.json",
-  "service_response.json",
-  "services.json",
   "sounds.json",
   "stream_message.json#/$defs/cores_delta",
   "stream_message.json#/$defs/derivation_position",
@@ -65,18 +29,13 @@ export const kRead = [
   "stream_message.json#/$defs/envelope",
   "stream_message.json#/$defs/log_entries",
   "stream_message.json#/$defs/services_delta",
-  "ticket.json",
-  "timing.json",
-  "token_created.json",
-  "token_removed.json",
-  "why.json",
 ];
 
 /** What STOP reads, on each page: validators of their own, as the page on trust is small. */
 export const kReadByStop = ["control.json", "problem.json"];
 
-/** Messages that the pages write. */
-export const kWritten = ["account_change.json", "account_create.json", "breakpoints.json", "cell_reset.json", "control_answer.json", "control_mode.json", "control_request.json", "core_confirm_edit.json", "core_create.json", "core_resume.json", "core_start.json", "document_branch.json", "document_restore.json", "edit.json", "force.json", "login.json", "pair.json", "pairing_create.json", "password_change.json", "person_command.json", "proposal_decline.json", "service_call.json", "step_request.json", "stream_request.json", "token_create.json"];
+/** Messages that clients write. */
+export const kWritten = [...routes.written, "control_request.json", "edit.json", "stream_request.json"];
 
 /** Names of types that are not the names of their schemas. */
 const kNames = new Map([

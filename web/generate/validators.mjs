@@ -41,12 +41,12 @@ export function validatorsOf(schemas, addresses) {
   return code.replaceAll(/schemaPath:"[^"]*",/g, ""); // a tenth of the code, and the pages do not show it
 }
 
-/** The declarations of that module. */
-export function declarationsOf(addresses) {
+/** The declarations of that module, which finds the type of validators in `check`, and those of messages in `messages`. */
+export function declarationsOf(addresses, check, messages) {
   const types = addresses.map(typeName);
   return [
-    'import type { Validator } from "../shared/messages/check";',
-    `import type { ${types.join(", ")} } from "./messages";`,
+    `import type { Validator } from "${check}";`,
+    `import type { ${types.join(", ")} } from "${messages}";`,
     ...addresses.map((address) => `export declare const ${validatorName(address)}: Validator<${typeName(address)}>;`),
     "",
   ].join("\n");

@@ -1,0 +1,24 @@
+// A client of RACE servers, for browsers and Node 18 or later.
+export * as calls from "./calls/index.js";
+export { kStreamPath } from "./calls/index.js";
+export { RawJson, segment, targetOf, type Body, type Call, type Fields } from "./call.js";
+export { check, SchemaError, type Validator } from "./check.js";
+export { Client, type ClientOptions } from "./client.js";
+export { Cores, type Arguments, type ControlOptions, type CreateOptions, type StepRange } from "./cores.js";
+export { Documents, type EditOptions, type PutOptions } from "./documents.js";
+export { isRefusal, isTimeout, isUnanswered, kCertificate, kConnection, kProtocol, kTimeout, RaceError, ServiceError } from "./errors.js";
+export { NumberText, plain, readExact, writeExact, type Exact, type ExactJson } from "./exact.js";
+export type * as messages from "./generated/messages.js";
+export * as validators from "./generated/validators.js";
+export type { JsonObject, JsonValue } from "./json.js";
+export { newId } from "./newId.js";
+export { request, requestText, withToken, type Transport } from "./request.js";
+export { Runs } from "./runs.js";
+export type { Sender, SendOptions } from "./sender.js";
+export { resultOf, Services } from "./services.js";
+export { fold, isOver } from "./stream/fold.js";
+export { Following, type FollowOptions } from "./stream/following.js";
+export { readStreamMessage, type StreamMessage, type StreamUpdate } from "./stream/messages.js";
+export type { SocketConstructor } from "./stream/socket.js";
+export { openStream, reconnectDelay, type Connection, type Stream, type StreamHandlers, type StreamOptions } from "./stream/stream.js";
+export { type Update } from "./stream/updates.js";
