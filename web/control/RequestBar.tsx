@@ -1,7 +1,8 @@
 // Somebody asks for the controls that another one has: a person at the cell allows it, or not.
 import { useState } from "react";
 import type { Control } from "../generated/messages";
-import { answerRequest, ControlRefusal } from "../shared/control/requests";
+import { isRefusal } from "../shared/api";
+import { answerRequest } from "../shared/control/requests";
 import { messageOf } from "../shared/messageOf";
 import { useStop } from "../stop/useStop";
 import { useLeft } from "./TakeButton";
@@ -29,7 +30,7 @@ export function RequestBar({ request: { id, by }, refusal, fetcher }: Props) {
       await answerRequest(fetcher, id, allow);
     } catch (error) {
       setReason(messageOf(error));
-      setOver(error instanceof ControlRefusal && error.status < 500);
+      setOver(isRefusal(error) && error.status < 500);
       setBusy(false);
     }
   };

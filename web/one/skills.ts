@@ -1,5 +1,6 @@
 // The documents with skills: all that the server has, each loaded once for each of its revisions.
 import { createStore, useSelected } from "../page/store";
+import { isUnanswered } from "../shared/api";
 import { readExact, type ExactJson } from "../shared/edit/exact";
 import { Refusal } from "../shared/edit/refusal";
 import { readTree } from "../shared/edit/tree";
@@ -50,7 +51,7 @@ let loading: Promise<void> | undefined;
 let asked = false;
 
 /** What has no answer is asked for again the next time; what cannot be read has nothing. */
-const nothingOf = (error: unknown): Omit<Loaded, "revision"> | undefined => (error instanceof TypeError ? undefined : { document: undefined, named: kNothing });
+const nothingOf = (error: unknown): Omit<Loaded, "revision"> | undefined => (isUnanswered(error) ? undefined : { document: undefined, named: kNothing });
 
 async function loadListed(): Promise<void> {
   const wanted = [...session.get().documents].sort((a, b) => Number(b.name === kFirst) - Number(a.name === kFirst)).slice(0, kMost);

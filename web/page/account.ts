@@ -28,7 +28,6 @@ export interface Account {
 export function createAccount(onOtherLogin: () => void): Account {
   const login = createStore<Access, Access>({ asked: false }, (_, next) => next);
   const access = createAccess({
-    base: "/api/v1",
     fetcher: (input, init) => fetch(input, init),
     tokens: storedTokens(() => localStorage, window),
     onChange: (next) => login.dispatch(next),
@@ -39,8 +38,8 @@ export function createAccount(onOtherLogin: () => void): Account {
     login,
     access,
     fetchWithControls,
-    api: createApi("/api/v1", fetchWithControls),
-    bystander: createApi("/api/v1", access.fetch),
+    api: createApi(fetchWithControls),
+    bystander: createApi(access.fetch),
     ownControls: () => access.streamUrl(controlUrl(location)),
     ownStream: () => access.streamUrl(streamUrl(location)),
   };

@@ -1,7 +1,7 @@
 // The code by which the server lets a phone in: asked for again when what it is for has changed.
 import { useEffect, useState } from "react";
 import type { PairingCreate } from "../generated/messages";
-import { RefusedError, type Api } from "../shared/api";
+import { isRefusal, type Api } from "../shared/api";
 import { messageOf } from "../shared/messageOf";
 import { texts } from "./texts";
 
@@ -15,7 +15,7 @@ export type CodeState =
   | { readonly kind: "failed"; readonly why: string };
 
 /** What is in the way, and what to do. */
-const whyOf = (error: unknown): string => (error instanceof RefusedError && error.status === kTooMany ? texts.code.tooMany : texts.code.failed(messageOf(error)));
+const whyOf = (error: unknown): string => (isRefusal(error) && error.status === kTooMany ? texts.code.tooMany : texts.code.failed(messageOf(error)));
 const kTooMany = 429;
 
 /** After the last key [ms], so that not each letter of a name is a code of its own. */

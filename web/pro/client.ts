@@ -1,5 +1,5 @@
 // The page's one connection to the server: stores, requests and the stream, wired together.
-import { RefusedError } from "../shared/api";
+import { isRefusal } from "../shared/api";
 import type { CellPose, Core, Packet, TraceStep } from "../generated/messages";
 import type { RunSource } from "../shared/api";
 import { kNoPlaces, type Places } from "../shared/drawing/places";
@@ -138,7 +138,7 @@ async function openFromAddress(id: string): Promise<void> {
     await watchStored(id);
   } catch (error) {
     if (session.get().watched !== watched) return;
-    if (!(error instanceof RefusedError && error.status < 500)) {
+    if (!(isRefusal(error) && error.status < 500)) {
       if (session.get().connection !== "lost") problem(error);
       return;
     }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { createApi, RefusedError } from "../shared/api";
+import { createApi, RaceError } from "../shared/api";
 import { applyEvent, emptySession } from "../shared/session/session";
 import { readJson } from "./files";
 
@@ -7,9 +7,9 @@ const refusal = readJson(new URL("../../api/examples/problem.storage.json", impo
 
 describe("a command that the server refuses because it cannot store it", () => {
   it("fails with the status and the message of the server", async () => {
-    const api = createApi("/api/v1", () => Promise.resolve(new Response(JSON.stringify(refusal), { status: 507 })));
+    const api = createApi(() => Promise.resolve(new Response(JSON.stringify(refusal), { status: 507 })));
     const error: unknown = await api.resume("1").catch((thrown: unknown) => thrown);
-    expect(error).toBeInstanceOf(RefusedError);
+    expect(error).toBeInstanceOf(RaceError);
     expect(error).toMatchObject({ status: 507, message: "the run cannot be stored: no space left on the disk" });
   });
   it("leaves the connection as it is, and its message stays until it is dismissed", () => {

@@ -1,5 +1,6 @@
 // An application is being made by the guide: whether it is there, and what has kept it from that.
 import { useState } from "react";
+import { isUnanswered } from "../../shared/api";
 import { messageOf } from "../../shared/messageOf";
 import { useEditing, useTree } from "../editing";
 import { usePlace } from "../place";
@@ -29,7 +30,7 @@ function useMade(wanted: readonly WantedSkill[]): Made {
 }
 
 /** A request that got no answer has the browser's own words for that. */
-const reasonOf = (error: unknown): string => (error instanceof TypeError ? texts.frame.noAnswer : messageOf(error));
+const reasonOf = (error: unknown): string => (isUnanswered(error) ? texts.frame.noAnswer : messageOf(error));
 
 /** `wish`: the name of its document, if that is free; `title`: of its one task. */
 export function useMaking(wish: string, title: string, wanted: readonly WantedSkill[]): Making {

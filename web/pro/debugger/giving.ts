@@ -1,5 +1,5 @@
 // Giving breakpoints to cores, which may have those of others, too. Requests go one after the other.
-import { RefusedError } from "../../shared/api";
+import { isRefusal } from "../../shared/api";
 import { breakpointKey, refusedOne, sameBreakpoints, setBy } from "../../shared/debugger/onCore";
 import type { Breakpoint, Core } from "../../generated/messages";
 import { api, session } from "../client";
@@ -25,7 +25,7 @@ async function send(core: Core, author: string, wanted: readonly Breakpoint[]): 
       last = { id: core.id, author, breakpoints: list };
       done = true;
     } catch (error) {
-      const found = error instanceof RefusedError ? refusedOne(error.errors) : undefined;
+      const found = isRefusal(error) ? refusedOne(error.errors) : undefined;
       const one = found && list[found.index];
       if (found === undefined || one === undefined) throw error;
       refused.set(breakpointKey(one), found.message);

@@ -1,5 +1,5 @@
 // Keeping breakpoints on the server: the newest of each document and person, one request at a time.
-import { RefusedError } from "../../shared/api";
+import { isRefusal } from "../../shared/api";
 import type { KeptBreakpoint } from "../../generated/messages";
 import { api } from "../client";
 import { kept, setKept, type Owner } from "./kept";
@@ -17,7 +17,7 @@ let saving = false;
 export const isSaving = (): boolean => saving || unsaved.size > 0;
 
 function reasonOf(error: unknown): string {
-  if (error instanceof RefusedError && error.status === 404) return "the server does not have the document";
+  if (isRefusal(error) && error.status === 404) return "the server does not have the document";
   return messageOf(error);
 }
 

@@ -1,6 +1,6 @@
 // The login, over the page: what was edited and looked at stays below it, and goes on when somebody has logged in.
 import { useEffect, useRef, useState, type SubmitEvent } from "react";
-import { LoginError } from "../../shared/login/access";
+import { isRefusal } from "../../shared/api";
 import { messageOf } from "../../shared/messageOf";
 import { trustAddress } from "../../shared/trust/trustAddress";
 import { logIn, useLogin } from "../client";
@@ -10,7 +10,7 @@ export function LoginCover() {
   return asked ? <Login /> : null;
 }
 
-const reasonOf = (error: unknown): string => (error instanceof LoginError && error.wait !== undefined ? `Too many logins have failed. Try again in ${error.wait} s.` : messageOf(error));
+const reasonOf = (error: unknown): string => (isRefusal(error) && error.retryAfter !== undefined ? `Too many logins have failed. Try again in ${error.retryAfter} s.` : messageOf(error));
 
 function Login() {
   const dialog = useRef<HTMLDialogElement>(null);

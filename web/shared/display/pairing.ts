@@ -1,6 +1,6 @@
 // How a phone comes to show a display page: its address; where the page came over a network, what the phone has to trust; and where it came
 // from this machine, how a network is served, or the tunnel that leads there.
-import { LoginError } from "../login/access";
+import { isRefusal } from "../../../api/typescript/src/errors";
 import { kTrustPage } from "../trust/trustAddress";
 import { nameOf } from "./page";
 
@@ -43,8 +43,8 @@ export const codeOf = (hash: string): string | undefined => kCode.exec(hash)?.[1
 /** Why a phone is not paired, and what to do then. */
 export function notPairedText(error: unknown): string {
   const renew = "press “New code” on the page that shows it, and scan that code within a minute";
-  if (!(error instanceof LoginError)) return `This phone is not paired: the server does not answer. Connect the phone to the network of the server, ${renew}.`;
-  if (error.wait !== undefined) return `This phone is not paired: too many codes were tried. Wait ${error.wait} s, then ${renew}.`;
+  if (!isRefusal(error)) return `This phone is not paired: the server does not answer. Connect the phone to the network of the server, ${renew}.`;
+  if (error.retryAfter !== undefined) return `This phone is not paired: too many codes were tried. Wait ${error.retryAfter} s, then ${renew}.`;
   const why = error.code === "pairing" ? "the code was used already, or it is too old" : error.message;
   return `This phone is not paired: ${why}. ${renew.charAt(0).toUpperCase()}${renew.slice(1)}.`;
 }

@@ -1,7 +1,7 @@
 // Files that become documents, as a value: each with what the server has said of it, until the user closes it.
 import type { ServerError } from "../../generated/messages";
 import { assertNever } from "../assertNever";
-import { RefusedError } from "../api";
+import { isRefusal } from "../api";
 import { nameOfFile } from "./names";
 import { messageOf } from "../messageOf";
 
@@ -69,12 +69,12 @@ export function applyUpload(uploads: readonly Upload[], event: UploadEvent): rea
 
 /** What an attempt to store `target` says that has failed. */
 export function failed(target: Target, error: unknown): UploadStatus {
-  if (!(error instanceof RefusedError)) {
+  if (!isRefusal(error)) {
     const message = messageOf(error);
     return { kind: "refused", errors: [{ path: "", code: "unavailable", message }], next: "again" };
   }
-  const { status, errors, more } = error;
+  const { status, errors, moreErrors } = error;
   if (status === 412 || status === 409) return { kind: "taken" };
   const next = status >= 500 ? "again" : status === 422 && target.draft === undefined ? "draft" : "never";
-  return { kind: "refused", errors, ...(more && { more }), next };
+  return { kind: "refused", errors, ...(moreErrors && { more: true }), next };
 }

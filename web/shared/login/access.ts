@@ -1,7 +1,10 @@
 // Access: who uses the page. Its requests have the token of the account; when the server knows nobody by it, the page asks for a login.
-import type { LoginAnswer, Me, PairAnswer, Ticket } from "../../generated/messages";
-import * as schema from "../../generated/validators";
-import { check } from "../messages/check";
+import { getMe } from "../../../api/typescript/src/calls/me";
+import { pair } from "../../../api/typescript/src/calls/pair";
+import { createTicket, logIn, logOut } from "../../../api/typescript/src/calls/server";
+import { isRefusal } from "../../../api/typescript/src/errors";
+import { request, withToken } from "../../../api/typescript/src/request";
+import type { LoginAnswer, Me, PairAnswer } from "../../generated/messages";
 import type { TokenStore } from "./tokens";
 
 export interface Access {
@@ -12,8 +15,6 @@ export interface Access {
 }
 
 export interface AccessOptions {
-  /** "/api/v1" */
-  readonly base: string;
   readonly fetcher: typeof fetch;
   readonly tokens: TokenStore;
   readonly onChange: (access: Access) => void;
@@ -21,22 +22,12 @@ export interface AccessOptions {
   readonly onOtherLogin: () => void;
 }
 
-/** The login was not accepted: why, and when to try again [s]. */
-export class LoginError extends Error {
-  constructor(
-    message: string,
-    readonly wait?: number,
-    /** Of the error of the server. */
-    readonly code?: string,
-  ) {
-    super(message);
-    this.name = "LoginError";
-  }
+/** Whatever the server says, it is there. */
+function unlessRefused(error: unknown): undefined {
+  if (!isRefusal(error)) throw error;
 }
 
-const kJson = { "content-type": "application/json" };
-
-export function createAccess({ base, fetcher, tokens, onChange, onOtherLogin }: AccessOptions) {
+export function createAccess({ fetcher, tokens, onChange, onOtherLogin }: AccessOptions) {
   let access: Access = { asked: false };
   let nowKnown = (): void => undefined;
   const known = new Promise<void>((resolve) => (nowKnown = resolve));
@@ -46,19 +37,18 @@ export function createAccess({ base, fetcher, tokens, onChange, onOtherLogin }: 
     onChange(access);
   };
 
+  const withOwnToken = withToken(fetcher, tokens.read);
   const authorized: typeof fetch = async (input, init) => {
-    const token = tokens.read();
-    const headers = new Headers(init?.headers);
-    if (token !== undefined) headers.set("authorization", `Bearer ${token}`);
-    const answer = await fetcher(input, { ...init, headers });
+    const answer = await withOwnToken(input, init);
     if (answer.status === 401) change({ asked: true });
     return answer;
   };
+  const account = { origin: "", fetch: authorized };
+  const anybody = { origin: "", fetch: fetcher };
 
   async function ask(): Promise<void> {
-    const answer = await authorized(`${base}/me`, { method: "GET" });
-    if (!answer.ok) return;
-    const me = check(schema.me, await answer.json());
+    const me = await request(account, getMe()).catch(unlessRefused);
+    if (me === undefined) return;
     if (!me.accounts) tokens.write(undefined);
     change({ me, asked: me.role === undefined });
   }
@@ -74,22 +64,6 @@ export function createAccess({ base, fetcher, tokens, onChange, onOtherLogin }: 
   }
   tokens.listen(() => void follow().catch(() => undefined)); // without a server, its stream asks again
 
-  async function ticket(): Promise<Ticket> {
-    const answer = await authorized(`${base}/tickets`, { method: "POST" });
-    if (!answer.ok) throw new Error(`the server gives no ticket: status ${answer.status}`);
-    return check(schema.ticket, await answer.json());
-  }
-
-  /** Asks to be let in, without a token. */
-  async function enter(path: string, body: Readonly<Record<string, string>>): Promise<unknown> {
-    const answer = await fetcher(`${base}/${path}`, { method: "POST", headers: kJson, body: JSON.stringify(body) });
-    const data: unknown = await answer.json();
-    if (answer.ok) return data;
-    const [first] = check(schema.problem, data).errors;
-    const wait = answer.headers.get("retry-after");
-    throw new LoginError(first?.message ?? `status ${answer.status}`, wait === null ? undefined : Number(wait), first?.code);
-  }
-
   return {
     get: (): Access => access,
     fetch: authorized,
@@ -104,20 +78,20 @@ export function createAccess({ base, fetcher, tokens, onChange, onOtherLogin }: 
     async streamUrl(url: string): Promise<string> {
       if (access.me === undefined) await ask();
       if (access.asked) throw new Error("the server wants a login");
-      return tokens.read() === undefined ? url : `${url}?ticket=${encodeURIComponent((await ticket()).ticket)}`;
+      return tokens.read() === undefined ? url : `${url}?ticket=${encodeURIComponent((await request(account, createTicket())).ticket)}`;
     },
-    /** Throws a LoginError. */
+    /** Rejects with a RaceError. */
     async logIn(name: string, password: string): Promise<void> {
-      const login: LoginAnswer = check(schema.loginAnswer, await enter("login", { name, password }));
+      const login: LoginAnswer = await request(anybody, logIn({ name, password }));
       tokens.write(login.token);
       const { name: known, role } = login.account;
       change({ me: { accounts: true, name: known, role }, asked: false });
     },
-    /** With a code that somebody who is logged in has shown this device: once. Throws a LoginError. */
+    /** With a code that somebody who is logged in has shown this device: once. Rejects with a RaceError. */
     async pair(code: string): Promise<PairAnswer> {
-      const paired = check(schema.pairAnswer, await enter("pair", { code }));
+      const paired = await request(anybody, pair({ code }));
       // What the device was before, it is no more.
-      if (tokens.read() !== undefined) await authorized(`${base}/logout`, { method: "POST" }).catch(() => undefined);
+      if (tokens.read() !== undefined) await request(account, logOut()).catch(() => undefined);
       tokens.write(paired.token);
       await ask();
       return paired;
@@ -125,7 +99,7 @@ export function createAccess({ base, fetcher, tokens, onChange, onOtherLogin }: 
     /** Ends the token, also if the server cannot be told. */
     async logOut(): Promise<void> {
       try {
-        await authorized(`${base}/logout`, { method: "POST" });
+        await request(account, logOut()).catch(unlessRefused);
       } finally {
         tokens.write(undefined);
         change({ me: { accounts: true }, asked: true });

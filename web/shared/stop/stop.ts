@@ -1,11 +1,11 @@
 // The stop of a page: what is known of it, its press, and its reset. It needs no login and no stream.
+import { isRefusal } from "../../../api/typescript/src/errors";
+import { withToken } from "../../../api/typescript/src/request";
 import type { Control } from "../../generated/messages";
-import * as schema from "../../generated/stopValidators";
-import { check } from "../messages/check";
 import { createStore, type NextFrame } from "../store";
 import type { Connection } from "../stream";
 import { stopAddresses, type Place } from "./addresses";
-import { resetStop } from "./reset";
+import { getControl, resetStop } from "./requests";
 import { kPatience, sendStop, type Sending } from "./sending";
 import { applyStop, kFirstStop, type StopEvent, type StopState } from "./state";
 
@@ -34,17 +34,13 @@ export function createStop({ place, fetcher, token, after, now, nextFrame }: Sto
 
   const take = (control: Control): void => store.dispatch({ type: "told", control });
   /** To the server of the page; to another port it would be one more request, which asks whether it may be sent. */
-  const named = (): RequestInit => {
-    const secret = token();
-    return secret === undefined ? {} : { headers: { authorization: `Bearer ${secret}` } };
-  };
+  const named = withToken(fetcher, token);
 
   async function ask(): Promise<void> {
     try {
-      const answer = await fetcher("/api/v1/control", { ...named(), signal: AbortSignal.timeout(kAnswer) });
-      if (answer.ok) take(check(schema.control, await answer.json()));
-    } catch {
-      if (!isStreamed) store.dispatch({ type: "lost" });
+      take(await getControl(named, AbortSignal.timeout(kAnswer)));
+    } catch (error) {
+      if (!isRefusal(error) && !isStreamed) store.dispatch({ type: "lost" });
     }
   }
   async function askOn(): Promise<void> {
@@ -52,8 +48,9 @@ export function createStop({ place, fetcher, token, after, now, nextFrame }: Sto
     after(kAsk, () => void askOn());
   }
 
+  /** By itself, not as a call: also to other ports, and what is answered does not matter. */
   async function post(address: string, signal: AbortSignal): Promise<void> {
-    const answer = await fetcher(address, { method: "POST", signal, ...(address.startsWith("/") && named()) });
+    const answer = await (address.startsWith("/") ? named : fetcher)(address, { method: "POST", signal });
     if (!answer.ok) throw new Error(`status ${answer.status}`);
   }
 

@@ -63,6 +63,6 @@ describe("what is asked of the server", () => {
   });
   it("fails with what the server says", async () => {
     const problem = { type: "about:blank", title: "Conflict", status: 409, detail: "take the controls of the cell first", errors: [{ code: "leased", path: "", message: "take the controls of the cell first" }] };
-    await expect(setMode(answering(409, problem).fetcher, "execution")).rejects.toMatchObject({ name: "ControlRefusal", status: 409, message: "take the controls of the cell first" });
+    await expect(setMode(answering(409, problem).fetcher, "execution")).rejects.toMatchObject({ name: "RaceError", status: 409, message: "take the controls of the cell first" });
   });
 });

@@ -1,14 +1,15 @@
 import { describe, expect, it } from "vitest";
 import { codeOf, displayAddress, isDisplayName, networkChoice, notPairedText, pairing } from "../../shared/display/pairing";
 
-import { LoginError } from "../../shared/login/access";
+import { RaceError } from "../../shared/api";
 
 describe("a phone that is not paired", () => {
+  const refused = (status: number, code: string, message: string, retryAfter?: number) => new RaceError(status, [{ path: "", code, message }], { retryAfter });
   it("says why in plain words, and what to do", () => {
-    const used = notPairedText(new LoginError("the code is wrong", undefined, "pairing"));
+    const used = notPairedText(refused(401, "pairing", "the code is wrong"));
     expect(used).toBe("This phone is not paired: the code was used already, or it is too old. Press “New code” on the page that shows it, and scan that code within a minute.");
-    expect(notPairedText(new LoginError("slowly", 7, "too_many"))).toContain("Wait 7 s, then press “New code”");
-    expect(notPairedText(new LoginError("the disk is full", undefined, "storage"))).toContain("not paired: the disk is full. Press “New code”");
+    expect(notPairedText(refused(429, "too_many", "slowly", 7))).toContain("Wait 7 s, then press “New code”");
+    expect(notPairedText(refused(507, "storage", "the disk is full"))).toContain("not paired: the disk is full. Press “New code”");
     expect(notPairedText(new TypeError("Failed to fetch"))).toContain("the server does not answer. Connect the phone to the network of the server");
   });
 });

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { RefusedError } from "../../shared/api";
+import { RaceError } from "../../shared/api";
 import { applyUpload, failed, kMostBytes, sizeText, type Upload } from "../../shared/documents/uploads";
 
 const error = { path: "Root", code: "first", message: "there is no child `X`" };
@@ -27,7 +27,7 @@ describe("a file that is uploaded", () => {
 });
 
 describe("a file that the server does not store", () => {
-  const refused = (status: number, more?: true) => new RefusedError(status, [error], more);
+  const refused = (status: number, moreErrors = false) => new RaceError(status, [error], { moreErrors });
   it("has a name that is taken, or its document has gone on", () => expect([412, 409].map((status) => failed(target, refused(status)))).toEqual([{ kind: "taken" }, { kind: "taken" }]));
   it("can be a draft if it has errors of a document, once", () => {
     expect(failed(target, refused(422, true))).toEqual({ kind: "refused", errors: [error], more: true, next: "draft" });

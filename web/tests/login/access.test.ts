@@ -1,6 +1,7 @@
 // Who uses a page: the token of an account, and the login that the server asks for.
 import { describe, expect, it } from "vitest";
-import { createAccess, LoginError, type Access } from "../../shared/login/access";
+import { RaceError } from "../../shared/api";
+import { createAccess, type Access } from "../../shared/login/access";
 import { kRoles, mayUse, refusalOf } from "../../shared/login/roles";
 import { storedTokens } from "../../shared/login/tokens";
 
@@ -27,7 +28,6 @@ function page(answers: Readonly<Record<string, readonly [number, unknown, Record
     return Promise.resolve(new Response(JSON.stringify(body), { status, headers: headers ?? {} }));
   };
   const access = createAccess({
-    base: "/api/v1",
     fetcher,
     tokens: { read: () => kept, write: (next) => void (kept = next), listen: (listener) => (changed = listener) },
     onChange: (next) => seen.push(next),
@@ -79,15 +79,15 @@ describe("a page of a server with accounts", () => {
 
   it("asks for a login when its token is good no more", async () => {
     const { access } = page({ "/me": [200, { accounts: true, name: "ada", role: "developer" }], "/tickets": [401, problem(401, "login")] }, kToken);
-    await expect(access.streamUrl("ws://here/stream")).rejects.toThrow("401");
+    await expect(access.streamUrl("ws://here/stream")).rejects.toMatchObject({ status: 401 });
     expect(access.get().asked).toBe(true);
   });
 
   it("says why a login is refused, and how long to wait", async () => {
     const { access, kept } = page({ "/login": [429, problem(429, "attempts"), { "retry-after": "6" }] });
     const refused = access.logIn("ada", "guess number");
-    await expect(refused).rejects.toThrow(LoginError);
-    await expect(refused).rejects.toMatchObject({ wait: 6 });
+    await expect(refused).rejects.toThrow(RaceError);
+    await expect(refused).rejects.toMatchObject({ retryAfter: 6 });
     expect(kept()).toBeUndefined();
   });
 

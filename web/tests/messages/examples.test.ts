@@ -46,6 +46,8 @@ const readers: Readonly<Record<string, (value: unknown) => unknown>> = {
   problem: by(schema.problem),
   proposal: by(schema.proposal),
   proposals: by(schema.proposals),
+  queue: by(schema.queue),
+  queued_run: by(schema.queuedRun),
   rules: by(schema.rules),
   run: by(schema.run),
   run_comparison: by(schema.runComparison),
@@ -56,6 +58,7 @@ const readers: Readonly<Record<string, (value: unknown) => unknown>> = {
   scene: by(schema.scene),
   services: by(schema.services),
   stream_message: readStreamMessage,
+  task: by(schema.task),
   timing: by(schema.timing),
   why: by(schema.why),
 };
@@ -67,7 +70,7 @@ const unread = new Set([
   "cell_reset", "control_answer", "control_mode", "control_request", "core_confirm_edit", "core_create", "core_load", "core_resume", "core_start", "document_branch", "document_entry", "document_restore", "edit_request",
   "addresses", "pair", "pair_answer", "pairing_create", "pairing_created",
   "service_call", "service_response",
-  "operator", "person_command", "proposal_decline", "proposal_request", "revisions", "run_file",
+  "operator", "person_command", "proposal_decline", "proposal_request", "queued_run_create", "revisions", "run_file",
   "server_config", "step_request", "stream_request",
 ]);
 
