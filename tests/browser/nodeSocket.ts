@@ -1,6 +1,7 @@
-// WebSocket of Node 18, which has none: text messages of a server on this machine.
+// WebSocket of Node 18, which has none: text messages, over TLS too.
 import { randomBytes } from "node:crypto";
-import { get } from "node:http";
+import * as http from "node:http";
+import * as https from "node:https";
 import type { Socket } from "node:net";
 
 /** RFC 6455, 7.4.1: it ended without a close frame, as far as is told here. */
@@ -29,7 +30,7 @@ function firstFrame(data: Buffer): { readonly code: number; readonly payload: Bu
   return { code: (data[0] ?? 0) & 0x0f, payload: data.subarray(start, start + size), rest: data.subarray(start + size) };
 }
 
-/** What openStream (web/shared/stream.ts) uses of a WebSocket. */
+/** What openStream (api/typescript/src/stream) uses of a WebSocket. */
 export class NodeSocket {
   static readonly OPEN = 1;
   static readonly all = new Set<NodeSocket>();
@@ -42,7 +43,7 @@ export class NodeSocket {
 
   constructor(url: string) {
     const headers = { connection: "Upgrade", upgrade: "websocket", "sec-websocket-version": "13", "sec-websocket-key": randomBytes(16).toString("base64") };
-    const request = get(url.replace(/^ws/, "http"), { headers });
+    const request = (url.startsWith("wss:") ? https : http).get(url.replace(/^ws/, "http"), { headers });
     request.on("error", () => this.end()).on("response", () => this.end());
     request.on("upgrade", (_, socket: Socket, head: Buffer) => {
       this.socket = socket;
