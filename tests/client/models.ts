@@ -12,12 +12,5 @@ export interface Task {
 const kScript = "import json, sys; sys.path.insert(0, sys.argv[1]); import models; print(json.dumps(getattr(models, sys.argv[2])(**json.loads(sys.argv[3]))))";
 
 /** A task of tests/integration/models.py, with these arguments of its function. */
-export const task = (kind: "faulty" | "hurrying" | "storing" | "ticking", named: Readonly<Record<string, unknown>> = {}): Task =>
+export const task = (kind: "hurrying" | "ticking", named: Readonly<Record<string, unknown>> = {}): Task =>
   JSON.parse(execFileSync("/usr/bin/python3", ["-B", "-c", kScript, join(project, "tests/integration"), kind, JSON.stringify(named)], { encoding: "utf8" })) as Task;
-
-/** A document with a violation of structure and one of code. */
-export function wrong(name = "wrong"): Task {
-  const { root, ...document } = task("ticking", { name });
-  const ports = root["ports"] as readonly object[];
-  return { ...document, root: { ...root, first: "Nowhere", ports: [{ ...ports[0], when: "res.n >=" }] } };
-}

@@ -1,6 +1,6 @@
-// Conversations about cores and their runs.
+// Cores that are followed, and waited for.
 import { type Client, type Update } from "../../api/typescript/src/index";
-import { all, next, refused, sets, until, untilOver } from "./asserting";
+import { all, next, refused, sets, until } from "./asserting";
 import { task, type Task } from "./models";
 import { Server } from "./servers";
 
@@ -16,34 +16,14 @@ beforeAll(async () => {
 });
 afterAll(() => server.stop());
 
-async function coreOf(document: Task, args: Readonly<Record<string, string | number>> = {}): Promise<string> {
+async function coreOf(document: Task): Promise<string> {
   await race.documents.put(document.name, document);
-  return (await race.cores.create(document.name, args)).id;
+  return (await race.cores.create(document.name)).id;
 }
 
 const stepOf = ({ state }: Update): number => state.core.step;
 
 describe("runs", () => {
-  it("a run with arguments is followed to its end", async () => {
-    const id = await coreOf(task("storing"), { key: "at_creation" });
-    const value = { position: [0.1, 0.2, 0.3] };
-    const updates = await race.cores.follow(id, { quiet: kQuiet });
-    const first = await next(updates);
-    expect([first.kind, first.state.core.status]).toEqual(["snapshot", "ready"]);
-    expect((await race.cores.start(id, { key: "pose", value })).status).toBe("running");
-    const heard = await all(updates);
-    expect(await updates.next(), "its end stays its end").toEqual({ done: true, value: undefined });
-    expect(new Set(heard.map(({ kind }) => kind))).toEqual(new Set(["delta"]));
-    expect(heard.flatMap((each) => (each.kind === "delta" ? each.delta.calls.map(({ operation }) => operation) : []))).toEqual(["add", "get"]);
-    const last = heard.at(-1)?.state;
-    if (last === undefined) throw new Error("nothing was heard");
-    expect([last.core.outcome, last.core.results]).toEqual(["success", { read: value }]);
-    expect(await untilOver(race, id)).toEqual(last.core);
-    expect(sets(last)).toEqual(sets(await race.cores.state(id)));
-    expect((await race.runs.get(id)).results).toEqual({ read: value });
-    expect(await race.cores.wait(id, { timeout: kQuiet })).toEqual(last.core);
-  });
-
   it("folded deltas are the state of a run at any time", async () => {
     const id = await coreOf(task("hurrying", { name: "folded" }));
     const updates = await race.cores.follow(id, { quiet: kQuiet });
@@ -93,38 +73,6 @@ describe("runs", () => {
     expect((await race.cores.wait(id, { timeout: kQuiet })).status).toBe("aborted");
   });
 
-  it("a run that faults says why", async () => {
-    await race.documents.put("faulty", task("faulty"));
-    expect(await race.cores.run("faulty", {}, { timeout: kQuiet })).toMatchObject({ status: "faulted", fault: { kind: "zero_division", at: "Root" } });
-  });
-
-  it("a quiet core is no error unless asked for", async () => {
-    const id = await coreOf(task("ticking", { name: "quiet" }));
-    const updates = await race.cores.follow(id, { quiet: 0.3 });
-    expect((await next(updates)).kind).toBe("snapshot");
-    await refused(0, "timeout", updates.next());
-    await race.cores.delete(id);
-    await refused(0, "not_found", updates.take(kQuiet)); // the channel has ended
-    updates.close();
-  });
-
-  it("what the server refuses is an error with path and code", async () => {
-    expect((await refused(422, "unknown_name", coreOf(task("ticking", { name: "typed" }), { lst: 1 }))).path).toBe("arguments/lst");
-    const id = await coreOf(task("ticking", { name: "begun" }));
-    await race.cores.start(id);
-    await refused(409, "conflict", race.cores.start(id));
-    await refused(404, "not_found", race.cores.create("nowhere"));
-    await refused(404, "not_found", race.cores.get("987654"));
-    await refused(0, "not_found", race.cores.follow("987654"));
-  });
-
-  it("a request that is sent again makes one core", async () => {
-    await race.documents.put("once", task("ticking", { name: "once" }));
-    const first = await race.cores.create("once", {}, { key: "k1" });
-    expect(await race.cores.create("once", {}, { key: "k1" })).toEqual(first);
-    expect((await race.cores.all()).filter(({ document }) => document === "once")).toHaveLength(1);
-  });
-
   it("a slow reader loses steps but not the state or the connection", async () => {
     const id = await coreOf(task("hurrying", { name: "fast" }));
     const updates = await race.cores.follow(id, { quiet: kQuiet, capacity: 20 });
@@ -140,19 +88,6 @@ describe("runs", () => {
     expect(heard.filter(({ kind }) => kind !== "delta" && kind !== "snapshot")).toEqual([]);
     const last = heard.at(-1)?.state;
     expect(last && sets(last)).toEqual(sets(await race.cores.state(id)));
-  });
-
-  it("runs stay when their cores are gone", async () => {
-    const id = await coreOf(task("ticking", { name: "stored", last: 1 }));
-    await race.cores.start(id);
-    await race.cores.wait(id, { timeout: kQuiet });
-    await refused(409, "conflict", race.runs.delete(id));
-    await race.cores.delete(id);
-    const runs = await all(race.runs.all({ document: "stored" }));
-    expect(runs).toMatchObject([{ id, status: "ended", results: { n: 1 } }]);
-    expect((await race.runs.journal(id)).entries).toHaveLength(runs[0]?.steps ?? -1);
-    expect((await race.runs.export(id)).run).toMatchObject({ document: "stored" });
-    expect(await race.runs.delete(id)).toEqual({ removed: id });
   });
 
   it("a reader that leaves its loop ends the connection", async () => {

@@ -63,14 +63,16 @@ export class Server {
   }
 }
 
-export const kPassword = "correct horse battery";
-const kRoles = ["admin", "developer", "operator", "observer"] as const; // the first is an admin
+const kPassword = "correct horse battery";
+export const kRoles = ["admin", "developer", "operator", "observer"] as const; // the first is an admin
+/** Named as its role. */
+export type Account = (typeof kRoles)[number];
 
 const account = (data: string, ...words: readonly string[]): string =>
   execFileSync(binary, ["account", ...words, "--data", data], { input: `${kPassword}\n`, encoding: "utf8" }).trim();
 
-/** A token of an account, from the command line. */
-export const tokenOf = (data: string, name: string): string => account(data, "token", name);
+/** A token of an account, from the command line, before a server has the folder. */
+export const tokenOf = (data: string, name: Account): string => account(data, "token", name);
 
 /** A new data folder with an account of each role, named as its role. */
 export function folderWithAccounts(): string {

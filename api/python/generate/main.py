@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""generate/main.py [--check]: makes what race_client has from api/: messages.py, calls/ and plain/; and the calls of ../typescript. With
---check it writes nothing, names the files that are not up to date, and ends with 1 if there are any. Needs python3-yaml."""
+"""generate/main.py [--check]: makes what race_client has from api/: messages.py, calls/ and plain/; the calls of ../typescript; and the
+conversation of ../conversations that openapi.yaml says. With --check it writes nothing, names the files that are not up to date, and ends
+with 1 if there are any. Needs python3-yaml."""
 import sys
 from pathlib import Path
 
+import conversations
 import typescript
 from calls import calls_text, snake
 from messages import messages_text
@@ -21,7 +23,7 @@ def outputs() -> dict[Path, str]:
     """Every generated file, and what it must have."""
     routes = all_routes()
     modules = {name: [route for route in routes if route.module == name] for name in sorted({route.module for route in routes})}
-    files = typescript.outputs(modules)
+    files = {**typescript.outputs(modules), **conversations.outputs(routes)}
     for name, group in modules.items():
         files[PACKAGE / "calls" / f"{name}.py"] = calls_text(name, group)
     files[PACKAGE / "calls" / "__init__.py"] = init_text(modules)
