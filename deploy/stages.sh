@@ -5,6 +5,8 @@
 readonly out=$PWD/build/test
 # Of each stage, as it ends: name, seconds, seconds of processors, `ok`, `failed`, or `broken` (without a report of tests).
 readonly ended=$out/stages.txt
+# What failed and was tried again, which is said whether it passed then or not.
+readonly second_tries=$out/second_tries.txt
 rm -rf "$out" && mkdir -p "$out" && : >"$ended" || exit 1
 
 # The folder for the reports of tests of the stage that runs; a stage that runs beside others has its own.
@@ -82,6 +84,7 @@ finish() {
   ((failed += $(grep -c ' broken$' "$ended")))
   awk '{ printf "%-20s %5d s %6d s of processors\n", $1, $2, $3 }' "$ended"
   printf '%-20s %5d s\n' total "$SECONDS"
+  [[ ! -e $second_tries ]] || sed '/^$/d; s/^Once more/tried twice/' "$second_tries"
   if grep -qv ' ok$' "$ended"; then printf 'failed: %s\n' "$(awk '$4 != "ok" { print $1 }' "$ended" | paste -sd' ')"; fi
   printf '%d passed, %d failed\n' "$passed" "$failed"
   ((failed == 0 && passed > 0)) && ! grep -qv ' ok$' "$ended"
