@@ -13,6 +13,7 @@ bool Control::stop(Stop stop) {
   free_fence_ = ++last_fence_;
   if (holder_) holder_->fence = ++last_fence_;
   if (stopped_) return false;
+  ++stops_;
   stopped_ = std::move(stop);
   tell();
   return true;
@@ -31,6 +32,11 @@ bool Control::reset() {
 std::optional<Control::Stop> Control::stopped() const {
   const MutexLock lock(mutex_);
   return stopped_;
+}
+
+std::uint64_t Control::stops() const {
+  const MutexLock lock(mutex_);
+  return stops_;
 }
 
 void Control::set_stop_port(std::uint16_t place, std::uint16_t port) {

@@ -72,6 +72,8 @@ class Control final : public services::MotionGate {
   /// Motions may begin again; none does by that. Whether it was stopped.
   bool reset() EXCLUDES(mutex_);
   std::optional<Stop> stopped() const EXCLUDES(mutex_);
+  /// How often it was stopped, since the server began: who has to know of a stop that is reset already compares.
+  std::uint64_t stops() const EXCLUDES(mutex_);
   /// The port of the stop server, for pages, by the port of the place at which they are.
   void set_stop_port(std::uint16_t place, std::uint16_t port) EXCLUDES(mutex_);
   /// schemas/control.json, frozen.
@@ -164,6 +166,7 @@ class Control final : public services::MotionGate {
   const std::function<bool()> has_accounts_;
   mutable services::Mutex mutex_;
   std::optional<Stop> stopped_ GUARDED_BY(mutex_);
+  std::uint64_t stops_ GUARDED_BY(mutex_) = 0;
   Mode mode_ GUARDED_BY(mutex_) = Mode::execution;
   std::uint64_t last_fence_ GUARDED_BY(mutex_) = 1;
   std::uint64_t free_fence_ GUARDED_BY(mutex_) = 1;  // of runs that need nobody

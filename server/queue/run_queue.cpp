@@ -13,6 +13,8 @@ namespace {
 
 Error not_queued(const std::string& id) { return {ErrorCode::not_found, "there is no queued run of this id", id}; }
 
+constexpr const char* kLostControls = "who queued it has the controls no more";
+
 Error of_another_store() { return {ErrorCode::conflict, "a backup was restored meanwhile", {}}; }
 
 }  // namespace
@@ -21,10 +23,13 @@ Expected<QueuedRun> RunQueue::add(QueuedTask task) {
   if (Value(task.arguments).size_units() > kMostArgumentUnits)
     return unexpected(ErrorCode::too_large, "the arguments of a queued run are too large", "arguments");
   task.arguments.freeze();
+  const std::uint64_t stops = control_.stops();
   const MutexLock lock(mutex_);
   if (task.restores != restores_) return tl::unexpected(of_another_store());
   if (count(QueuedStatus::waiting) >= kMostWaiting)
     return unexpected(ErrorCode::conflict, std::to_string(kMostWaiting) + " runs wait already");
+  const bool is_idle = current_ == 0 && !pause_ && count(QueuedStatus::waiting) == 0;
+  if (is_idle) stops_ = stops;
   runs_.push_back({.id = ++last_id_, .task = std::move(task)});
   post_next();
   return runs_.back();
@@ -69,10 +74,12 @@ Expected<QueuedRun> RunQueue::cancel(const std::string& id) {
 }
 
 Expected<void> RunQueue::resume() {
+  const std::uint64_t stops = control_.stops();
   if (const auto stopped = control_.stopped())
     return unexpected(ErrorCode::stopped, "the cell was stopped by " + stopped->by + "; reset the stop first");
   const MutexLock lock(mutex_);
   pause_.reset();
+  stops_ = stops;
   post_next();
   return {};
 }
@@ -108,7 +115,7 @@ void RunQueue::begin_next() {
 void RunQueue::begin(const QueuedRun& run) {
   auto core = create_core(run.task);
   if (!core) return refuse(run, std::move(core).error());
-  if (!set_core(*core)) return give_up(run, *core, of_another_store());
+  if (auto set = set_core(*core); !set) return give_up(run, *core, std::move(set).error());
   (*core)->start(
       [this, run, core = *core](const Expected<Value>& started) {
         pool_.post([this, run, core, started] { begun(run, core, started); });
@@ -121,7 +128,7 @@ std::optional<QueuedRun> RunQueue::take_next() {
   if (closed_ || current_ != 0 || pause_) return std::nullopt;
   const auto next = std::ranges::find(runs_, QueuedStatus::waiting, &QueuedRun::status);
   if (next == runs_.end()) return std::nullopt;
-  if (control_.stopped()) {
+  if (control_.stopped() || control_.stops() != stops_) {
     pause_ = Pause{"stopped"};
     return std::nullopt;
   }
@@ -135,20 +142,26 @@ Checked<std::shared_ptr<Core>> RunQueue::create_core(const QueuedTask& task) {
     return tl::unexpected(std::vector<Error>{Error{code, why, {}}});
   };
   if (!records_.is_current(task.by)) return not_now(ErrorCode::rights, "who queued it is not known any more");
-  if (task.control != 0 && control_.holder() != task.control)
-    return not_now(ErrorCode::leased, "who queued it has the controls no more");
+  if (has_lost_controls(task)) return not_now(ErrorCode::leased, kLostControls);
   const auto document = documents_.get(task.document, task.revision);
   if (!document) return tl::unexpected(document.error());
   return cores_.create(*document, task.arguments);
 }
 
-bool RunQueue::set_core(const std::shared_ptr<Core>& core) {
+bool RunQueue::has_lost_controls(const QueuedTask& task) const {
+  return task.control != 0 && control_.holder() != task.control;
+}
+
+// What has happened while the core was made.
+Expected<void> RunQueue::set_core(const std::shared_ptr<Core>& core) {
   const MutexLock lock(mutex_);
   QueuedRun* run = current();
-  if (!run || run->task.restores != restores_) return false;
+  if (!run || run->task.restores != restores_) return tl::unexpected(of_another_store());
+  if (control_.stops() != stops_) return unexpected(ErrorCode::stopped, "the cell was stopped meanwhile");
+  if (has_lost_controls(run->task)) return unexpected(ErrorCode::leased, kLostControls);
   run->core = core->id();
   core_ = core;
-  return true;
+  return {};
 }
 
 // A core that is not `ready` has begun, whatever the answer: it keeps its place until it is over.

@@ -77,8 +77,10 @@ class RunQueue {
   std::optional<QueuedRun> take_next() EXCLUDES(mutex_);
   void begin(const QueuedRun& run);
   Checked<std::shared_ptr<Core>> create_core(const QueuedTask& task);
-  /// The core of the run that is being begun. False: it is of a store that is no more.
-  bool set_core(const std::shared_ptr<Core>& core) EXCLUDES(mutex_);
+  bool has_lost_controls(const QueuedTask& task) const;
+  /// The core of the run that is being begun. Errors: `conflict`: it is of a store that is no more; `stopped`, also if
+  /// that is reset; `leased`: who queued it has lost the controls.
+  Expected<void> set_core(const std::shared_ptr<Core>& core) EXCLUDES(mutex_);
   void begun(const QueuedRun& run, const std::shared_ptr<Core>& core, const Expected<Value>& started);
   void give_up(const QueuedRun& run, const std::shared_ptr<Core>& core, Error why);
   void refuse(const QueuedRun& run, std::vector<Error> errors) EXCLUDES(mutex_);
@@ -94,6 +96,7 @@ class RunQueue {
   std::int64_t current_ GUARDED_BY(mutex_) = 0;    // that runs, or is being begun; 0: none
   std::shared_ptr<Core> core_ GUARDED_BY(mutex_);  // its core; empty: none yet
   std::uint64_t restores_ GUARDED_BY(mutex_) = 0;
+  std::uint64_t stops_ GUARDED_BY(mutex_) = 0;  // Control::stops() when it was idle or resumed last
   std::optional<Pause> pause_ GUARDED_BY(mutex_);
   bool closed_ GUARDED_BY(mutex_) = false;
   Pool pool_{1, 0, "queue"};  // ends first

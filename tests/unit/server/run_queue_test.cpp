@@ -190,6 +190,42 @@ TEST_F(RunQueueTest, NothingBeginsWhileTheCellIsStoppedNorByItsReset) {
   until([&] { return runs().back() == "ends ended ended done"; });
 }
 
+TEST_F(RunQueueTest, AStopOfBeforeHoldsUpNothing) {
+  control.stop({"somebody", 0});
+  control.reset();
+  add("ends");
+  until([&] { return runs().back() == "ends ended ended done"; });
+}
+
+TEST_F(RunQueueTest, AStopThatIsResetWhileItsRunEndsWellPausesWhatWaits) {
+  tells = false;
+  const std::string first = add("ends");
+  std::shared_ptr<Core> core;
+  until([&] {
+    const auto found = cores.find(queue.find(first).value().core);
+    if (found) core = *found;
+    return core && core->info().find("status")->as_string() == "ended";
+  });
+  add("waits");
+  control.stop({"somebody", 0});
+  control.reset();
+  queue.core_changed(core->id(), core->info());
+  until([&] { return !paused().empty(); });
+  EXPECT_EQ(paused(), "stopped");
+  EXPECT_THAT(runs(), ElementsAre("ends ended ended done", "waits waiting"));
+}
+
+TEST_F(RunQueueTest, WhatIsStoppedWhileItsCoreIsMadeNeverBegins) {
+  records.when_asked = [&] {
+    control.stop({"somebody", 0});
+    control.reset();
+  };
+  const std::string stopped = add("ends");
+  until([&] { return !paused().empty(); });
+  EXPECT_EQ(queue.find(stopped)->errors.front().code, ErrorCode::stopped);
+  EXPECT_THAT(runs(), ElementsAre("ends refused stopped"));
+}
+
 TEST_F(RunQueueTest, WhoIsNotKnownAnyMoreBeginsNothing) {
   const std::string first = add("waits");
   const auto core = core_of(first);
