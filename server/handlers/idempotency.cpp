@@ -25,13 +25,13 @@ sqlite::Digest digest_of(const Request& request) {
   return sqlite::sha256_of({request.method, request.path, query, request.body});
 }
 
+}  // namespace
+
 std::size_t bytes_of(const Reply& reply) {
   std::size_t bytes = reply.type.empty() ? to_json(reply.body).size() : reply.text.size();
   for (const auto& [name, value] : reply.headers) bytes += name.size() + value.size();
   return bytes;
 }
-
-}  // namespace
 
 // The request of a key that is being answered: without an answer to keep, the key is free again.
 class IdempotentAnswers::UnderWay {

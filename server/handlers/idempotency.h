@@ -21,6 +21,9 @@ namespace race::server {
 /// Gets the reply to a request, once.
 using TakeReply = std::function<void(Reply)>;
 
+/// Of its body and headers, as it is kept.
+std::size_t bytes_of(const Reply& reply);
+
 class IdempotentAnswers {
  public:
   struct Limits {

@@ -1,8 +1,10 @@
 #include "server/handlers/tasks.h"
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
+#include "server/handlers/idempotency.h"
 #include "server/http/field_list.h"
 
 namespace race::server {
@@ -49,11 +51,29 @@ Expected<Value> Tasks::begin(const Request& request, bool can_be_stopped) {
 void Tasks::end(const std::string& id, const Reply& reply) {
   Reply kept = reply;
   kept.body.freeze();
+  const std::size_t bytes = bytes_of(kept);
   const services::MutexLock lock(mutex_);
   const auto task = std::ranges::find(tasks_, id, &Task::id);
   if (task == tasks_.end()) return;
   task->reply = std::move(kept);
+  task->bytes = bytes;
   if (task->is_done() && task->progress) task->progress->finish();
+  forget_oldest();
+}
+
+// The last of them stays, however large it is.
+void Tasks::forget_oldest() {
+  const auto is_over = [](const Task& task) { return task.reply.has_value(); };
+  std::size_t count = 0, bytes = 0;
+  for (const Task& task : tasks_ | std::views::filter(is_over)) {
+    ++count;
+    bytes += task.bytes;
+  }
+  for (; bytes > kMostBytes && count > 1; --count) {
+    const auto oldest = std::ranges::find_if(tasks_, is_over);
+    bytes -= oldest->bytes;
+    tasks_.erase(oldest);
+  }
 }
 
 Expected<std::size_t> Tasks::find_task(const std::string& id, const Identity& who) const {

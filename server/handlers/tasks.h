@@ -20,7 +20,7 @@ class Tasks {
  public:
   static constexpr std::size_t kMost = 100;              // that are kept
   static constexpr std::size_t kMostRunning = 16;        // of these
-  static constexpr std::size_t kMostBytes = 32U << 20U;  // of the bodies of those
+  static constexpr std::size_t kMostBytes = 32U << 20U;  // of the bodies of those; and of what others have come to
 
   /// Whether who sends it prefers to be answered before the work is done.
   static bool is_preferred(const Request& request);
@@ -41,7 +41,7 @@ class Tasks {
     std::string id;
     std::string account;
     std::string request;    // "POST /api/v1/backups"
-    std::size_t bytes = 0;  // of its body
+    std::size_t bytes = 0;  // of its body; once it is over, of `reply`
     SharedStop stop = {};   // empty: it cannot be stopped
     SharedWorkProgress progress = {};
     bool cancelled = false;  // somebody has; `stop` is also set by work that takes too long
@@ -50,6 +50,7 @@ class Tasks {
     bool is_done() const { return reply && reply->status < 400; }
   };
   static Value json(const Task& task);
+  void forget_oldest() REQUIRES(mutex_);
   Expected<std::size_t> find_task(const std::string& id, const Identity& who) const REQUIRES(mutex_);
 
   mutable services::Mutex mutex_;

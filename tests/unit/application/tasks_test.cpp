@@ -48,6 +48,29 @@ TEST(Tasks, SayWhatTheWorkHasComeTo) {
   EXPECT_EQ(failed.find("errors")->as_list().front().find("code")->as_string(), "conflict");
 }
 
+TEST(Tasks, AreKeptWithSoManyBytes) {
+  Tasks tasks;
+  const Identity who{"a", Role::developer};
+  std::vector<std::string> ids;
+  for (std::size_t i = 0; i < 4; ++i) {
+    ids.push_back(id_of(tasks.begin(request_of("a"), false)));
+    Reply large;
+    large.body = Dict{{"text", std::string(Tasks::kMostBytes / 3, 'x')}};
+    tasks.end(ids.back(), large);
+  }
+  EXPECT_EQ(tasks.find(ids[0], who).error().code, ErrorCode::not_found);
+  EXPECT_EQ(tasks.find(ids[1], who).error().code, ErrorCode::not_found)
+      << "with its quotation marks, it is more than a third";
+  EXPECT_TRUE(tasks.find(ids[2], who));
+  EXPECT_TRUE(tasks.find(ids[3], who));
+  ids.push_back(id_of(tasks.begin(request_of("a"), false)));
+  Reply larger;
+  larger.body = Dict{{"text", std::string(Tasks::kMostBytes, 'x')}};
+  tasks.end(ids.back(), larger);
+  EXPECT_TRUE(tasks.find(ids.back(), who)) << "the last one, in any case";
+  EXPECT_EQ(tasks.find(ids[3], who).error().code, ErrorCode::not_found);
+}
+
 TEST(Tasks, AreOfWhoHasAskedAndOfAdmins) {
   Tasks tasks;
   const std::string id = id_of(tasks.begin(request_of("a"), true));
