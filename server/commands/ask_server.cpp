@@ -1,14 +1,15 @@
 #include "server/commands/ask_server.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 
+#include "core/language/primitives/utf8.h"
 #include "core/value/json.h"
 #include "server/accounts/local_key.h"
 #include "server/commands/command.h"
 #include "server/commands/kept_token.h"
+#include "server/log/line_log.h"
 
 namespace race::server {
 namespace {
@@ -83,10 +84,14 @@ void print_login_hint(const ServerOptions& server) {
 
 }  // namespace
 
-std::string in_one_line(std::string text) {
-  std::ranges::replace_if(
-      text, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }, ' ');
-  return text;
+std::string in_one_line(std::string_view text) {
+  const std::string known = as_utf8(text);
+  std::string line;
+  for (std::size_t at = 0; at < known.size();) {
+    const char32_t c = language::utf8::next(known, at);
+    language::utf8::append(is_control(c) ? U' ' : c, line);
+  }
+  return line;
 }
 
 Expected<std::string> token_of(const std::optional<std::string>& file) {

@@ -61,7 +61,7 @@ inline bool is_fine(const HttpClient::Answer& answer) { return answer.status >= 
 tl::expected<Value, int> ask_server(const ServerOptions& server, std::string_view method, const std::string& target,
                                     const std::optional<Value>& body = {});
 
-/// A text of a server in one line, whatever it says.
-std::string in_one_line(std::string text);
+/// A text of a server in one line, whatever it says: a blank for each is_control() of server/log.
+std::string in_one_line(std::string_view text);
 
 }  // namespace race::server

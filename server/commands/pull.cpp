@@ -61,6 +61,8 @@ class Pull {
     const std::string path = options_.into + '/' + document_file_name(name);
     const PulledRevision last{document.revision, hash_of(document.text)};
     FileState state{std::nullopt, record_.find(name), last};
+    if (std::filesystem::is_symlink(path))
+      return refuse(Error{ErrorCode::conflict, "is a link, through which nothing is written", path});
     const auto is_there = file_exists(path);
     if (!is_there) return refuse(is_there.error());
     if (*is_there) {

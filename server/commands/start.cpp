@@ -27,6 +27,12 @@ std::string text_of(const Value& core, const char* key) {
   return text && text->is_string() ? text->as_string() : "";
 }
 
+// At a breakpoint: it goes on when somebody wants that.
+bool is_paused(const Value& core) {
+  const Value* paused = core.find("paused");
+  return paused && paused->is_bool() && paused->as_bool();
+}
+
 int print_core(const ServerOptions& server, const Value& core) {
   const auto line = core_line(core);
   if (!line) return refuse(Error{line.error().code, line.error().message, server.url}, server.json);
@@ -36,26 +42,32 @@ int print_core(const ServerOptions& server, const Value& core) {
   return kExitOk;
 }
 
+// Without an answer, nobody would know else what may move.
+int say_may_run(const std::string& id, int code) {
+  std::fprintf(stderr, "core %s may run; `race stop %s` ends it\n", id.c_str(), id.c_str());
+  return code;
+}
+
 // A core that cannot be started does not stay.
 tl::expected<Value, int> start(const ServerOptions& server, const std::string& id) {
   auto answer = request_server(server, "POST", core_path(id) + "/start");
-  if (!answer) return tl::unexpected(answer.error());
+  if (!answer) return tl::unexpected(say_may_run(id, answer.error()));
   if (is_fine(*answer)) return std::move(answer->body);
   const int code = refuse_answer(server, *answer);
   if (const auto client = client_of(server)) (void)client->request("DELETE", core_path(id));
   return tl::unexpected(code);
 }
 
-// Until the run is over, or waits for a person. Gives the exit code.
+// Until the run is over, waits for a person or is paused. Gives the exit code.
 int wait_for_end(const ServerOptions& server, const std::string& id) {
   end_on_signal(kExitFindings, "core " + id + " goes on; `race stop " + id + "` ends it\n");
   for (;; std::this_thread::sleep_for(kPollPause)) {
     const auto answer = request_server(server, "GET", core_path(id));
-    if (!answer) return answer.error();
+    if (!answer) return say_may_run(id, answer.error());
     if (answer->status == kOverloaded) continue;
     if (!is_fine(*answer)) return refuse_answer(server, *answer);
     const std::string status = text_of(answer->body, "status");
-    if (status == "ready" || status == "running") continue;
+    if ((status == "ready" || status == "running") && !is_paused(answer->body)) continue;
     const int printed = print_core(server, answer->body);
     return printed == kExitOk && status != "ended" ? kExitFindings : printed;
   }

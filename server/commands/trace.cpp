@@ -65,25 +65,32 @@ class Trace {
       if (!answer) return answer.error();
       const auto reached = read_reached(*answer, options_.core.has_value());
       if (!reached) return refuse(Error{reached.error().code, reached.error().message, options_.server.url});
-      while (next_ <= reached->steps)
-        if (const auto printed = print_steps(reached->steps); !printed) return printed.error();
+      for (bool all = true; all && next_ <= reached->steps;) {
+        const auto printed = print_steps(reached->steps);
+        if (!printed) return printed.error();
+        all = *printed;
+      }
       if (reached->is_over || !options_.follow) return printer_.print_end(reached->status);
     }
   }
 
  private:
-  // Some of the steps up to this one.
-  tl::expected<void, int> print_steps(std::int64_t last) {
+  // Some of the steps up to this one. False: one is not complete yet, as the run is paused in it.
+  tl::expected<bool, int> print_steps(std::int64_t last) {
     const std::int64_t to = std::min(last, next_ + kAtOnce - 1);
-    const auto document =
-        ask_patiently(path_ + "/derivations?from=" + std::to_string(next_) + "&to=" + std::to_string(to));
+    auto document = ask_patiently(path_ + "/derivations?from=" + std::to_string(next_) + "&to=" + std::to_string(to));
     if (!document) return tl::unexpected(document.error());
     const Value* steps = document->find("steps");
     if (!steps || !steps->is_list() || steps->as_list().empty())
       return tl::unexpected(refuse(Error{ErrorCode::io, "answers no derivations", options_.server.url}));
+    List complete = steps->as_list();
+    const Value* is_complete = complete.back().find("complete");
+    const bool all = !is_complete || *is_complete != Value(false);
+    if (!all) complete.pop_back();
+    next_ += static_cast<std::int64_t>(complete.size());
+    document->mutable_dict().set("steps", std::move(complete));
     printer_.print_steps(*document);
-    next_ += static_cast<std::int64_t>(steps->as_list().size());
-    return {};
+    return all;
   }
 
   // A server that is busy with the run, or with replays, is asked again.

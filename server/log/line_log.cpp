@@ -22,11 +22,6 @@ constexpr std::size_t kMaxComponent = 80;
 static_assert(kMaxLogLine <= PIPE_BUF);
 constexpr std::string_view kCut = "...";
 
-// Controls (C0, DEL, C1), the separators of lines and paragraphs, and what turns the direction of writing.
-bool is_control(char32_t c) {
-  return c < 0x20 || (c >= 0x7f && c <= 0x9f) || (c >= 0x2028 && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
-}
-
 std::string code(const char* format, unsigned value) {
   std::array<char, 16> text{};
   std::snprintf(text.data(), text.size(), format, value);
@@ -78,6 +73,10 @@ std::string time_text(std::int64_t now_ms) {
 }
 
 }  // namespace
+
+bool is_control(char32_t c) {
+  return c < 0x20 || (c >= 0x7f && c <= 0x9f) || (c >= 0x2028 && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
+}
 
 std::string_view name(LogLevel level) { return kLevels[static_cast<std::size_t>(level)]; }
 

@@ -31,6 +31,10 @@ std::optional<LogLevel> log_level_of(std::string_view name);
 /// The most bytes of a line, with its end: a pipe takes so many at once, so that lines of processes do not mix.
 inline constexpr std::size_t kMaxLogLine = 2048;
 
+/// What could end a line or change what a terminal shows: controls (C0, DEL, C1), the separators of lines and
+/// paragraphs, and what turns the direction of writing.
+bool is_control(char32_t c);
+
 /// `text`, or, if it is no UTF-8 (an exception's text, a path), its bytes: ASCII as it is, others as `\xff`.
 std::string as_utf8(std::string_view text);
 

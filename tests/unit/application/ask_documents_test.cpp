@@ -8,6 +8,17 @@
 namespace race::server {
 namespace {
 
+TEST(InOneLine, NothingEndsALineOrChangesATerminal) {
+  EXPECT_EQ(in_one_line("a\nb\x1b[2J\x7f"), "a b [2J ");
+  EXPECT_EQ(in_one_line("\xc2\x9b"
+                        "2J \xe2\x80\xae"
+                        "x"),
+            " 2J  x")
+      << "C1 and the direction of writing";
+  EXPECT_EQ(in_one_line("gr\xc3\xbc\xc3\x9f"), "gr\xc3\xbc\xc3\x9f");
+  EXPECT_EQ(in_one_line("\x9b"), "\\x9b") << "no UTF-8";
+}
+
 Value json(const char* text) { return parse_json(text).value(); }
 
 TEST(AddPage, GivesWhereTheNextOneBegins) {
