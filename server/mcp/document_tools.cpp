@@ -37,6 +37,7 @@ Outcome page_of(const Value& entry, std::int64_t offset) {
 tl::expected<std::string, Problem> author_of(const Context& context) {
   const auto me = context.api.get(Target{"me"});
   if (!me) return tl::unexpected(me.error());
+  if (context.cancelled) return tl::unexpected(make_problem({ErrorCode::unavailable, "the request was cancelled"}));
   const Value* name = me->find("name");
   return name && name->is_string() ? name->as_string() + "~mcp" : std::string("mcp");
 }
@@ -69,7 +70,8 @@ Outcome check_document(const Context& context, const Dict& arguments) {
   const auto kept = context.api.post(Target{"documents", name ? name->as_string() : "check", "proposals"}, body);
   if (kept) return tl::unexpected(make_problem({ErrorCode::conflict, "the server has kept a proposal"}));
   if (kept.error().status == 409) return Dict{{"valid", true}, {"errors", List()}};
-  if (kept.error().status != 422) return kept;
+  const int status = kept.error().status;  // 400, 413: too deep or too large for a document
+  if (status != 422 && status != 400 && status != 413) return kept;
   Dict found{{"valid", false}};
   for (const auto& [key, value] : kept.error().errors) found.set(key, value);
   return found;

@@ -38,6 +38,7 @@ tl::expected<std::optional<Message>, Refusal> read_message(const Value& json) {
   if (!method && id && (json.find("result") || json.find("error"))) return std::nullopt;
   if (!method || !method->is_string()) return no_message(known, {ErrorCode::type, "must be a string", "method"});
   const Value* params = json.find("params");
+  if (params && !params->is_dict() && !id) return std::nullopt;  // a notification is never answered
   if (params && !params->is_dict())
     return no_message(known, {ErrorCode::type, "must be an object", "params"}, RpcCode::invalid_params);
   Message message{id ? std::optional(known) : std::nullopt, method->as_string(), params ? *params : Value(Dict())};
