@@ -187,10 +187,11 @@ Expected<void> Application::create_cores(const Setup& setup) {
   return recovered;
 }
 
-// The store is that of a backup.
+// The store is that of a backup. What cannot be read of one part of it keeps the other from nothing.
 Expected<void> Application::reload() {
-  if (auto reloaded = proposing_->reload(); !reloaded) return reloaded;
-  return cores_->recover();
+  auto proposals = proposing_->reload();
+  auto recovered = cores_->recover();
+  return proposals ? recovered : proposals;
 }
 
 // Who follows documents is added to the watchers.

@@ -52,7 +52,10 @@ Checked<Proposal> Proposing::propose(Proposal proposal, std::string_view text) {
 Checked<Proposal> Proposing::accept(std::int64_t id, const std::string& author, std::int64_t now_ms) {
   const auto found = proposals_.find(id);
   if (!found) return refused_proposal(found.error());
-  if (auto acceptable = check_acceptable(*found); !acceptable) return refused_proposal(std::move(acceptable).error());
+  if (auto acceptable = check_acceptable(*found); !acceptable) {
+    tell(id);
+    return refused_proposal(std::move(acceptable).error());
+  }
   const Change change{author, message_of(found->note), now_ms};
   const auto stored = editing_.accept(found->document, id, change);
   tell(id);

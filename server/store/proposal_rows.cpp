@@ -229,8 +229,12 @@ Expected<Proposal> add_proposal(SQLite::Database& file, Proposal proposal, const
 }
 
 Expected<Proposal> decide_proposal(SQLite::Database& file, std::int64_t id, const ProposalDecision& decision) {
-  ASSIGN_OR_RETURN(ProposalText stored, read_proposal(file, id));
-  Proposal& proposal = stored.proposal;
+  SQLite::Statement select(file, select_proposals() + " FROM proposal WHERE id = ?");
+  select.bind(1, id);
+  if (!select.executeStep()) return no_proposal(id);
+  ASSIGN_OR_RETURN(Proposal proposal, read_proposal_row(select));
+  const std::string text_digest = select.getColumn(kTextDigestColumn).getString();
+  select.reset();
   if (auto open = check_open(proposal); !open) return tl::unexpected(std::move(open).error());
   proposal.status = decision.status;
   proposal.decided_by = decision.by;
@@ -245,11 +249,11 @@ Expected<Proposal> decide_proposal(SQLite::Database& file, std::int64_t id, cons
   update.bind(3, proposal.reason);
   update.bind(4, proposal.decided_ms);
   update.bind(5, proposal.revision);
-  bind_digest(update, 6, digest_of(proposal, sqlite::bytes(sqlite::sha256(stored.text))));
+  bind_digest(update, 6, digest_of(proposal, text_digest));
   update.bind(7, id);
   update.exec();
   forget_oldest_decisions(file, id);
-  return std::move(proposal);
+  return proposal;
 }
 
 }  // namespace race::server
