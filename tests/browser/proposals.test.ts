@@ -57,7 +57,7 @@ describe("a proposal", () => {
     await editPage(fixture).node("Root/B").waitFor({ state: "detached" });
     expect(await editPage(fixture).children("task")).toEqual(["A", "C", "Both"]);
     await fixture.page.keyboard.press("Escape");
-    expect(query("proposals")).toBe(null);
+    await soon(() => query("proposals")).toBe(null);
     // Who has accepted it takes it back.
     await fixture.page.locator("#edit-canvas").click({ position: { x: 5, y: 5 } });
     await fixture.page.keyboard.press("Control+z");
@@ -67,6 +67,7 @@ describe("a proposal", () => {
 
   it("is declined with a reason, by keys", async () => {
     await editPage(fixture).open("declined");
+    await editPage(fixture).select("Root/C");
     const [{ id }] = [await propose("declined"), await propose("declined", kBetter, 1, "Once more.")];
     await soon(() => count().allInnerTexts()).toEqual(["2 proposals"]);
     await count().focus();
@@ -76,6 +77,8 @@ describe("a proposal", () => {
     await fixture.page.keyboard.press("ArrowUp");
     await fixture.page.keyboard.press("Enter");
     await soon(() => query("proposals")).toBe(id);
+    // Keys of the editor act on nothing below: this would remove what is selected there.
+    await fixture.page.keyboard.press("Delete");
     await panel().getByRole("button", { name: "Decline…" }).focus();
     await fixture.page.keyboard.press("Enter");
     await fixture.page.keyboard.type("B is for later.");
@@ -131,8 +134,9 @@ describe("a proposal", () => {
     await fixture.send("PUT", "/documents/beside", kTask);
     const { id } = await propose("beside");
     await fixture.page.goto(`${fixture.url}/pro/`);
+    await count().waitFor();
     await fixture.page.keyboard.press("Control+o");
-    await fixture.page.getByRole("listitem", { name: "beside" }).getByRole("button", { name: "1 proposal" }).click();
+    await fixture.page.getByRole("dialog", { name: "Documents" }).getByRole("listitem", { name: "beside" }).getByRole("button", { name: "1 proposal" }).click();
     await soon(() => query("proposals")).toBe(id);
     await fixture.send("POST", `/proposals/${id}/accept?author=Ada`);
     await panel().getByText("It is accepted by Ada, as revision 2.").waitFor();

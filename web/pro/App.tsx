@@ -2,10 +2,10 @@
 import { Suspense } from "react";
 import { commandable } from "../shared/session/session";
 import { commandOf, isMove, type Shortcut } from "../shared/session/shortcuts";
-import { isCovered } from "../shared/session/view";
 import { ModelCanvas } from "./canvas/ModelCanvas";
 import { CellDock } from "./cell/CellDock";
 import { session, useSession, useView, view } from "./client";
+import { isPageCovered } from "./covered";
 import { isDebugShortcut, runCommandOf } from "./debugger/actions";
 import { DebugMenu } from "./debugger/DebugMenu";
 import { ForceBar } from "./debugger/ForceBar";
@@ -47,6 +47,7 @@ import { TopBar } from "./panels/TopBar";
 import { showRuns } from "./runs/actions";
 import { lateCell } from "./cell/lateCell";
 import { RunsPanel } from "./runs/RunsPanel";
+import { areProposalsShown, showProposals } from "./proposals/proposals";
 import { ProposalsPanel } from "./proposals/ProposalsPanel";
 import { AccountsPanel } from "./login/AccountsPanel";
 import { LoginCover } from "./login/LoginCover";
@@ -72,7 +73,7 @@ view.listen(() => {
 
 /** Whether a key moves a run: not while it is held, and not on a page that does not show the run, or did not a moment ago. */
 const mayMove = (shortcut: Shortcut, held: boolean): boolean =>
-  !held && !(kStarts.has(shortcut) && (settling.page === "edit" || isCovered(view.get()) || performance.now() - settling.since < kSettling));
+  !held && !(kStarts.has(shortcut) && (settling.page === "edit" || isPageCovered() || performance.now() - settling.since < kSettling));
 
 function usePageKeys(): void {
   useShortcuts((shortcut, held) => {
@@ -104,7 +105,8 @@ function usePageKeys(): void {
         return true;
       case "escape":
         if (isHelpShown()) showHelp(undefined);
-        else if (session.get().past !== undefined && !isCovered(view.get())) toPresent();
+        else if (areProposalsShown()) showProposals(undefined);
+        else if (session.get().past !== undefined && !isPageCovered()) toPresent();
         else view.dispatch({ type: "escape" });
         return true;
     }

@@ -17,8 +17,8 @@ const kMost = 200;
 function useOutline({ document, base_revision: base, proposed }: Proposal): Outline | { readonly reason: string } | undefined {
   const before = useRevisionTree(document, base ?? undefined);
   useEffect(() => {
-    if (base !== null) loadRevision(document, base);
-  }, [document, base]);
+    if (base !== null && before === undefined) loadRevision(document, base);
+  }, [document, base, before]);
   return useMemo(() => {
     if (proposed === undefined) return undefined;
     const after = readTree(proposed as JsonValue);

@@ -10,6 +10,9 @@ const store = createStore<KnownProposals, ProposalsEvent>(noProposals, applyProp
 
 export const useProposals = <T>(select: (known: KnownProposals) => T): T => useSelected(store, select);
 
+/** Whether they cover the page. */
+export const areProposalsShown = (): boolean => store.get().shown !== undefined;
+
 /** Shows all, one, or the page again. */
 export function showProposals(shown: ShownProposals): void {
   store.dispatch({ type: "show", shown });

@@ -1,9 +1,9 @@
 // The keys of the actions. They do nothing while one types, in a form, or while the page asks something.
 import { useEffect } from "react";
 import { pressText } from "../../../shared/session/shortcuts";
-import { isCovered } from "../../../shared/session/view";
 import { isTyping } from "../../useShortcuts";
 import { view } from "../../client";
+import { isPageCovered } from "../../covered";
 import { takeFocused } from "../gestures/focused";
 import { isPrompting } from "../prompt";
 import { runAction, type Action } from "./action";
@@ -32,7 +32,7 @@ function acts({ where }: Action, target: EventTarget | null): boolean {
 const isOfButton = ({ key, target }: KeyboardEvent): boolean => (key === "Enter" || key === " ") && target instanceof HTMLButtonElement;
 
 function press(event: KeyboardEvent): void {
-  if (view.get().page !== "edit" || isPrompting() || isCovered(view.get()) || isOfButton(event)) return;
+  if (view.get().page !== "edit" || isPrompting() || isPageCovered() || isOfButton(event)) return;
   const text = pressText(event);
   const action = actions.find((each) => each.keys.includes(text) && acts(each, event.target));
   if (action === undefined) return;
