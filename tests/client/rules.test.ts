@@ -139,7 +139,7 @@ describe("answers", () => {
     expect(["SELF_SIGNED_CERT_IN_CHAIN", "ERR_TLS_CERT_ALTNAME_INVALID"].map((code) => told(failed(code)))).toEqual(Array(2).fill(["certificate", false]));
     expect(told(failed("UND_ERR_CONNECT_TIMEOUT"))).toEqual(["timeout", false]);
     expect(told(failed("UND_ERR_HEADERS_TIMEOUT"))).toEqual(["timeout", true]);
-    expect(told(failed("HPE_INVALID_CONSTANT"))).toEqual(["protocol", false]);
+    expect(told(failed("HPE_INVALID_CONSTANT"))).toEqual(["protocol", true]);
     expect(told(new TypeError("Failed to fetch")), "of a browser, which does not tell").toEqual(["connection", true]);
   });
 });

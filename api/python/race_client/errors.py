@@ -22,7 +22,7 @@ class RaceError(Exception):
     `line` and `column`: at least one and at most 200; `more_errors` says that there are more.
     `code`, `path`, `message`: of the first. A program branches on `code`: of the server, or `connection`, `timeout`, `certificate`
     or `protocol` (above).
-    `may_be_done`: whether the request may have been done all the same, as it was sent (`is_sent`) and its answer has not come.
+    `may_be_done`: whether the request may have been done all the same, as it was sent (`is_sent`) and no answer has come that can be read.
     """
 
     def __init__(self, status: int, errors: list[ServerError], more_errors: bool = False, *, is_sent: bool = True) -> None:
@@ -31,7 +31,7 @@ class RaceError(Exception):
         self.more_errors = more_errors
         first = errors[0]
         self.path, self.code, self.message = first["path"], first["code"], first["message"]
-        self.may_be_done = is_sent and status == 0 and self.code in (CONNECTION, TIMEOUT)
+        self.may_be_done = is_sent and status == 0 and self.code != CERTIFICATE
         super().__init__("\n".join(line_of(error) for error in errors) + ("\n..." if more_errors else ""))
 
 

@@ -35,7 +35,7 @@ export class RaceError extends Error {
   readonly path: string;
   /** There are more errors than the listed ones. */
   readonly moreErrors: boolean;
-  /** The request may have been done all the same: it was sent, and its answer has not come. */
+  /** The request may have been done all the same: it was sent, and no answer has come that can be read. */
   mayBeDone: boolean;
   /** When the server may be asked again [s], if it says so. */
   readonly retryAfter: number | undefined;
@@ -50,7 +50,7 @@ export class RaceError extends Error {
     this.code = errors[0]?.code ?? kProtocol;
     this.path = errors[0]?.path ?? "";
     this.moreErrors = moreErrors;
-    this.mayBeDone = isSent && status === 0 && (this.code === kConnection || this.code === kTimeout);
+    this.mayBeDone = isSent && status === 0 && this.code !== kCertificate;
     this.retryAfter = retryAfter;
   }
 }
@@ -70,7 +70,7 @@ export class ServiceError extends RaceError {
   }
 }
 
-/** Whether the server has refused it: it has answered, and nothing was done. */
+/** Whether the server has refused it: it has answered, and nothing was done, but what a service without a response in time (`unavailable`) has begun. */
 export const isRefusal = (error: unknown): error is RaceError => error instanceof RaceError && error.status !== 0;
 
 /** Whether no answer has come, as there is no server or no network. */
