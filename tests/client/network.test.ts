@@ -28,14 +28,19 @@ function said(authority?: string): unknown {
   return JSON.parse(stdout);
 }
 
+/** Node 18 holds an IPv6 address against the names of a certificate, so it knows no server by one (api/typescript/README.md). */
+const knowsNoneByAddress = (): boolean => Number.parseInt(process.versions.node) < 20 && new URL(network.url).hostname.startsWith("[");
+
+const kUnknown = { status: 0, code: "certificate", mayBeDone: false };
+
 describe("tls", () => {
   it("a server is known by its authority", () => {
-    expect(said(network.authority)).toMatchObject({ conversation: { results: { n: 2 }, names: ["ticking"] }, following: { status: 0, code: "not_found" } });
+    if (knowsNoneByAddress()) expect(said(network.authority)).toEqual({ conversation: kUnknown, following: kUnknown });
+    else expect(said(network.authority)).toMatchObject({ conversation: { results: { n: 2 }, names: ["ticking"] }, following: { status: 0, code: "not_found" } });
   });
 
   it("a server that is not known gets nothing", () => {
-    const unknown = { status: 0, code: "certificate", mayBeDone: false };
-    expect(said()).toEqual({ conversation: unknown, following: unknown });
+    expect(said()).toEqual({ conversation: kUnknown, following: kUnknown });
   });
 
   it("a wrong address is said before anything is sent", () => {
