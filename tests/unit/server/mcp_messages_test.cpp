@@ -78,7 +78,7 @@ TEST(Batch, SendsAllResponsesOnceTheLastIsThere) {
   batch.add(std::nullopt);
   EXPECT_TRUE(sent.empty());
   batch.add(Value(2));
-  EXPECT_EQ(sent, (List{List{1, 2}}));
+  EXPECT_EQ(sent, (List{Value(List{1, 2})}));
   Batch silent(1, [&sent](const Value& message) { sent.push_back(message); });
   silent.add(std::nullopt);
   EXPECT_EQ(sent.size(), 1U);

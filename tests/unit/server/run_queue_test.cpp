@@ -47,7 +47,10 @@ struct RunQueueTest : RunningCores {
   void core_changed(const std::string& id, Value core) override {
     if (tells) queue.core_changed(id, core);
   }
-  void core_removed(const std::string& id) override { queue.core_changed(id, Value()); }
+  void core_removed(const std::string& id) override {
+    queue.core_changed(id, Value());
+    ++removals;
+  }
 
   void put(const std::string& name, const std::string& root) {
     ASSERT_TRUE(documents->put(name, R"({"rcm": 1, "name": ")" + name + R"(", "root": )" + root + "}"));
@@ -99,6 +102,7 @@ struct RunQueueTest : RunningCores {
     return core;
   }
 
+  std::atomic<int> removals{0};
   std::atomic<bool> tells{true};  // the queue of changes, but for removals
   std::unique_ptr<Documents> documents = Documents::open(store.folder.store()).value();
   Control control{[](const Value&) {}};
@@ -224,6 +228,7 @@ TEST_F(RunQueueTest, WhatIsStoppedWhileItsCoreIsMadeNeverBegins) {
   until([&] { return !paused().empty(); });
   EXPECT_EQ(queue.find(stopped)->errors.front().code, ErrorCode::stopped);
   EXPECT_THAT(runs(), ElementsAre("ends refused stopped"));
+  until([&] { return removals == 1; });  // its core goes
 }
 
 TEST_F(RunQueueTest, WhoIsNotKnownAnyMoreBeginsNothing) {
