@@ -286,6 +286,8 @@ TEST_F(ProposalsTest, AreNamedWhenTheyAreDamaged) {
   EXPECT_EQ(proposals->read(made.id).error().code, ErrorCode::corrupt);
   EXPECT_EQ(error_of(documents->accept(made.id, {})).code, ErrorCode::corrupt);
   EXPECT_EQ(proposals->list({})->proposals.size(), 1U) << "a list reads no texts";
+  EXPECT_TRUE(decide(made.id, Status::declined)) << "so that it does not wait for ever";
+  EXPECT_EQ(proposals->find(made.id)->status, Status::declined);
 }
 
 }  // namespace
