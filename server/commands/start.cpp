@@ -20,8 +20,6 @@ struct StartOptions {
   ServerOptions server;
 };
 
-constexpr int kOverloaded = 503;  // ask again
-
 std::string text_of(const Value& core, const char* key) {
   const Value* text = core.find(key);
   return text && text->is_string() ? text->as_string() : "";
@@ -64,7 +62,7 @@ int wait_for_end(const ServerOptions& server, const std::string& id) {
   for (;; std::this_thread::sleep_for(kPollPause)) {
     const auto answer = request_server(server, "GET", core_path(id));
     if (!answer) return say_may_run(id, answer.error());
-    if (answer->status == kOverloaded) continue;
+    if (answer->status == kBusy) continue;
     if (!is_fine(*answer)) return refuse_answer(server, *answer);
     const std::string status = text_of(answer->body, "status");
     if ((status == "ready" || status == "running") && !is_paused(answer->body)) continue;

@@ -15,12 +15,13 @@
 #include "server/commands/print_derivations.h"
 #include "server/commands/watching.h"
 #include "server/http/message.h"
+#include "server/wire/run_status.h"
 
 namespace race::server {
 namespace {
 
-constexpr std::int64_t kAtOnce = 100;    // steps of an answer
-constexpr int kBusy = 503, kTries = 50;  // ask again, ten seconds long
+constexpr std::int64_t kAtOnce = 100;  // steps of an answer
+constexpr int kTries = 50;             // while it is busy: ten seconds long
 
 struct Options {
   std::optional<std::string> core, run;
@@ -45,7 +46,7 @@ Expected<Reached> read_reached(const Value& answer, bool is_core) {
   const auto steps = fields.integer(is_core ? "step" : "steps", 0, kMany, kRequired);
   const auto micro = fields.integer("micro", 0, kMany);
   if (!errors.empty()) return unexpected(ErrorCode::io, "answers what is no run");
-  const bool is_over = *status == "ended" || *status == "faulted" || *status == "aborted";
+  const bool is_over = server::is_over(*status);
   const bool is_within = !is_over && micro.value_or(0) > 0;  // of a step that is not complete
   return Reached{*steps - (is_within ? 1 : 0), is_over, answer};
 }

@@ -176,7 +176,7 @@ std::vector<std::shared_ptr<Core>> Cores::all() const {
 
 bool is_over(const Value& core) {
   const std::string status = core.find("status")->as_string();
-  return status == "ended" || status == "faulted" || status == "aborted";
+  return is_over(std::string_view(status));
 }
 
 void Cores::deliver(const services::Delivery& delivery) {

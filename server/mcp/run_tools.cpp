@@ -1,11 +1,11 @@
 // Tools of runs: cores that execute a document, and what is stored of them.
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <thread>
 
 #include "core/value/json.h"
 #include "server/mcp/tool.h"
+#include "server/wire/run_status.h"
 
 namespace race::server::mcp {
 namespace {
@@ -30,10 +30,7 @@ bool stands(const Value& core) {
   return status != "running" || (paused && paused->is_bool() && paused->as_bool());
 }
 
-bool is_over(const Value& core) {
-  constexpr std::array<std::string_view, 3> over = {"ended", "faulted", "aborted"};
-  return std::ranges::find(over, status_of(core)) != over.end();
-}
+bool is_over(const Value& core) { return server::is_over(status_of(core)); }
 
 std::string line_of(const Value& core) {
   const Value* step = core.find("step");

@@ -22,17 +22,13 @@
 #include "server/store/statements.h"
 #include "server/store/timing.h"
 #include "server/threads/work_progress.h"
+#include "server/wire/run_status.h"
 #include "services/mutex.h"
 #include "services/sqlite/digest.h"
 
 namespace race::server {
 
 using RunId = std::uint64_t;
-
-/// Whether a run of this status is over.
-constexpr bool is_over(std::string_view status) {
-  return status == "ended" || status == "faulted" || status == "aborted";
-}
 
 /// A run as it is listed.
 struct RunRecord {
