@@ -126,6 +126,24 @@ describe("a key that starts a run", () => {
     await press("F5");
     await expect.poll(status, kSoon).toBe("Ended: rested");
   });
+
+  it("does nothing below a dialog, also while the focus is not in it", async () => {
+    const { page } = fixture;
+    await page.goto(`${fixture.url}/pro/?run=${await make("resting")}`);
+    await settled(page);
+    await press("F1");
+    const help = page.getByRole("dialog", { name: "Help" });
+    await help.waitFor();
+    await page.evaluate(() => document.activeElement instanceof HTMLElement && document.activeElement.blur());
+    await press("F5");
+    await page.waitForTimeout(500);
+    expect(await status()).toBe("Ready");
+    await press("Escape");
+    await help.waitFor({ state: "detached" });
+    await settled(page);
+    await press("F5");
+    await expect.poll(status, kSoon).toBe("Ended: rested");
+  });
 });
 
 describe("what lets a task go on by other ways", () => {

@@ -1,6 +1,4 @@
 // What is over the page: its keys then act on nothing below.
-import { isCovered } from "../shared/session/view";
-import { view } from "./client";
-import { areProposalsShown } from "./proposals/proposals";
 
-export const isPageCovered = (): boolean => isCovered(view.get()) || areProposalsShown();
+/** Whether a modal dialog is open, whichever: also while the focus is nowhere in it, as after a click on its text. */
+export const isPageCovered = (): boolean => document.querySelector("dialog:modal") !== null;

@@ -201,7 +201,7 @@ function showActive(view: View, paths: readonly string[]): View {
 const modelPage = ({ page }: View): Page => (page === "edit" ? "edit" : "task");
 
 /** Whether something is shown over the page. */
-export const isCovered = ({ help, documents, runs }: View): boolean => help || documents || runs;
+const isCovered = ({ help, documents, runs }: View): boolean => help || documents || runs;
 
 export function applyGesture(view: View, gesture: Gesture): View {
   switch (gesture.type) {
