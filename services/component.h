@@ -78,6 +78,8 @@ class ServiceHost {
   virtual void log(std::string text) = 0;
 };
 
+struct Violation;  // services/host/call_ledger.h
+
 class Component {
  public:
   virtual ~Component() = default;
@@ -101,6 +103,8 @@ class Component {
   /// What moves must not be faster than this from now on [m/s, at least 0; nothing: no limit], whatever the calls ask
   /// for: somebody is near. At first there is none. Motions that go on slow down, as fast as braking allows.
   virtual void limit_speed(std::optional<double> /*tool_speed*/) {}
+  /// What it has announced does not fit its RSM (R18): for its author. It was delivered nevertheless.
+  virtual void violated(const Violation& /*violation*/) {}
   /// The host is about to end; nothing may be called on it afterwards.
   virtual void stop() {}
 };

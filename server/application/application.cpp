@@ -94,7 +94,7 @@ Expected<void> Application::open_accounts(const Setup& setup) {
   auto accounts = Accounts::open(folder_->accounts());
   if (!accounts) return named(std::move(accounts).error(), folder_->accounts());
   accounts_ = std::move(*accounts);
-  ASSIGN_OR_RETURN(process_key_, LocalKey::open(folder_->process_token(), names_of_component_groups()));
+  ASSIGN_OR_RETURN(process_key_, LocalKey::open(folder_->process_token(), groups_of_processes()));
   auto audit =
       AuditLog::open(folder_->audit(), [this](const Error& error) { log("audit", to_string(error), LogLevel::error); });
   if (!audit) return named(std::move(audit).error(), folder_->audit());
@@ -127,9 +127,10 @@ Checked<void> Application::create_cell(const Setup& setup) {
   CellSetup cell_setup{setup.demo, folder_->database(), true, std::move(extra_services)};
   cell_setup.remote = setup.remote;
   cell_setup.heartbeat = setup.heartbeat;
+  cell_setup.own_services = true;
   cell_setup.gate = motion_end_.get();
   auto cell = Cell::create(cell_setup, *service_publisher_);
-  if (!cell) return one(std::move(cell).error());
+  if (!cell) return tl::unexpected(std::move(cell).error());
   cell_ = std::move(*cell);
   flows_ = std::make_unique<FlowChannels>(cell_->host(), *hub_, *stream_pool_);
   if (CellWorld* world = cell_->world())

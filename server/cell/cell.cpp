@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
+#include <map>
+#include <string_view>
 #include <utility>
 
 #include "server/cell/component_groups.h"
 #include "server/cell/remote_world_proxy.h"
-#include "server/store/files.h"
 #include "services/camera/camera.h"
 #include "services/database/database.h"
 #include "services/failures.h"
@@ -20,41 +20,34 @@
 
 namespace race::server {
 
-namespace fs = std::filesystem;
-
-Expected<std::unique_ptr<Cell>> Cell::create(const CellSetup& setup, services::HostObserver& observer) {
-  std::unique_ptr<Cell> cell(new Cell(observer, setup.gate));
-  cell->waits_ = !setup.own_threads;
-  const fs::path scene = fs::path(setup.folder) / "scene.json";
-  const auto here = [&](const char* group) { return std::ranges::find(setup.remote, group) == setup.remote.end(); };
-  if (auto added = cell->add_remotes(setup); !added) return tl::unexpected(std::move(added).error());
-  bool has_world = here("cell") && !setup.folder.empty();
-  if (has_world) {
-    ASSIGN_OR_RETURN(has_world, file_exists(scene));
-  }
-  if (has_world) {
-    if (auto added = cell->add_world(scene, setup.seed); !added) return tl::unexpected(std::move(added).error());
-    if (auto added = cell->add_vision(setup); !added) return tl::unexpected(std::move(added).error());
-  }
-  if (here("database"))
-    if (auto added = cell->add_database(setup); !added) return tl::unexpected(std::move(added).error());
-  auto& host = cell->host_.declare("timer", "timer", cell->queue_);
-  cell->host_.attach("timer", std::make_unique<timer::Timer>(host));
-  for (const ExtraService& service : setup.extra_services) {
-    if (cell->host_.service(service.key)) continue;  // its process brings it
-    cell->host_.attach(service.key, service.make(cell->host_.declare(service.key, service.type, cell->queue_)));
-  }
+Checked<std::unique_ptr<Cell>> Cell::create(const CellSetup& setup, services::HostObserver& observer) {
+  auto file = read_cell(setup.folder);
+  if (!file) return tl::unexpected(std::move(file).error());
+  std::unique_ptr<Cell> cell(new Cell(std::move(*file), observer, setup.gate));
+  if (auto built = cell->build(setup); !built) return tl::unexpected(std::vector<Error>{std::move(built).error()});
   return cell;
+}
+
+Expected<void> Cell::build(const CellSetup& setup) {
+  waits_ = !setup.own_threads;
+  if (auto added = add_remotes(setup); !added) return added;
+  if (!world_)
+    if (auto added = add_world(setup); !added) return added;
+  for (const CellFile::Service& service : file_.services)
+    if (auto added = add_service(service, setup); !added) return added;
+  for (const ExtraService& service : setup.extra_services)
+    if (!is_known_type(service.type)) add_extra(service, service.key);  // no file can name it
+  return {};
 }
 
 Expected<void> Cell::add_remotes(const CellSetup& setup) {
   remotes_ = std::make_unique<remote::Remotes>(host_, clock_, setup.heartbeat);
   for (const std::string& name : setup.remote) {
     ASSIGN_OR_RETURN(const ComponentGroup* group, find_component_group(name));
-    std::vector<remote::RemoteService> services = group->services;
+    std::vector<remote::RemoteService> services = services_of(*group, file_);
     for (remote::RemoteService& service : services)
       for (const ExtraService& extra : setup.extra_services)
-        if (extra.key == service.key) service.host_functions = extra.host_functions;
+        if (extra.type == service.type) service.host_functions = extra.host_functions;
     remote::RemoteWorld* world = nullptr;
     if (group->world) {
       auto proxy = std::make_unique<RemoteWorldProxy>(clock_);
@@ -63,20 +56,117 @@ Expected<void> Cell::add_remotes(const CellSetup& setup) {
     }
     remotes_->add(name, services, world);
   }
+  if (!setup.own_services) return add_absent(), Expected<void>();
+  std::vector<remote::RemoteService> expected;
+  for (const CellFile::Awaited& each : file_.expects) expected.push_back({each.key, each.type, &each.model});
+  remotes_->add_own(expected, file_.accounts);
   return {};
 }
 
-Expected<void> Cell::add_world(const std::string& scene_path, std::uint64_t seed) {
-  ASSIGN_OR_RETURN(auto local_world, LocalWorld::load(scene_path));
+// No process can bring what the cell expects: tasks are checked against it, and are answered `unavailable`.
+void Cell::add_absent() {
+  for (const CellFile::Awaited& each : file_.expects) {
+    services::ServiceHost& host = host_.declare(each.key, each.type, queue_);
+    const std::shared_ptr<const rsm::Service> model(std::shared_ptr<const void>(), &each.model);  // the file's
+    host_.attach(each.key, std::make_unique<remote::RemoteComponent>(each.key, model, host),
+                 services::Host::Connection::disconnected);
+  }
+}
+
+Expected<void> Cell::add_world(const CellSetup& setup) {
+  ASSIGN_OR_RETURN(const bool has_scene, file_.has(file_.scene));
+  if (!has_scene) return {};
+  ASSIGN_OR_RETURN(auto local_world, LocalWorld::load(file_.scene));
   local_world_ = local_world.get();
   world_ = std::move(local_world);
-  seed_ = seed;
-  robot_host_ = &host_.declare("robot", "robot", queue_);
-  ASSIGN_OR_RETURN(auto robot, make_robot());
-  host_.attach("robot", std::move(robot));
-  gripper_host_ = &host_.declare("gripper", "gripper", queue_);
-  host_.attach("gripper", make_gripper());
+  seed_ = setup.seed;
   return {};
+}
+
+// Those that processes bring are there already.
+Expected<void> Cell::add_service(const CellFile::Service& service, const CellSetup& setup) {
+  using Add = Expected<void> (Cell::*)(const std::string& key, const CellSetup& setup);
+  static const std::map<std::string_view, Add> kAdd = {
+      {kRobotType, &Cell::add_robot},       {kGripperType, &Cell::add_gripper},
+      {kCameraType, &Cell::add_camera},     {kRecognitionType, &Cell::add_recognition},
+      {kDatabaseType, &Cell::add_database}, {kTimerType, &Cell::add_timer}};
+  if (host_.has(service.key)) return {};
+  const auto add = kAdd.find(service.type);
+  if (add != kAdd.end()) return (this->*add->second)(service.key, setup);
+  const auto extra = std::ranges::find(setup.extra_services, service.type, &ExtraService::type);
+  if (extra != setup.extra_services.end()) add_extra(*extra, service.key);
+  return {};
+}
+
+// Whether what the service `key` needs is here. If the cell's world is a process, it may be there.
+Expected<bool> Cell::is_there(bool it, const std::string& key, const char* what) const {
+  if (it || (world_ && !local_world_)) return it;
+  if (auto lacking = file_.lacks(key, what); !lacking) return tl::unexpected(std::move(lacking).error());
+  return false;
+}
+
+Expected<void> Cell::add_robot(const std::string& key, const CellSetup&) {
+  ASSIGN_OR_RETURN(const bool possible, is_there(local_world_ != nullptr, key, "a scene"));
+  if (!possible) return {};
+  robot_host_ = &host_.declare(key, std::string(kRobotType), queue_);
+  ASSIGN_OR_RETURN(auto robot, make_robot());
+  host_.attach(key, std::move(robot));
+  return {};
+}
+
+Expected<void> Cell::add_gripper(const std::string& key, const CellSetup&) {
+  ASSIGN_OR_RETURN(const bool possible, is_there(local_world_ != nullptr, key, "a scene"));
+  if (!possible) return {};
+  gripper_host_ = &host_.declare(key, std::string(kGripperType), queue_);
+  host_.attach(key, make_gripper());
+  return {};
+}
+
+Expected<void> Cell::add_camera(const std::string& key, const CellSetup& setup) {
+  const bool has_camera = local_world_ && local_world_->world().scene().camera;
+  ASSIGN_OR_RETURN(const bool possible, is_there(has_camera, key, "a scene with a camera"));
+  if (!possible) return {};
+  auto& host = host_.declare(key, std::string(kCameraType), queue_);
+  host_.attach(key, std::make_unique<camera::Camera>(host, local_world_->world(), setup.seed));
+  return {};
+}
+
+Expected<void> Cell::add_recognition(const std::string& key, const CellSetup&) {
+  const bool has_camera = local_world_ && local_world_->world().scene().camera;
+  ASSIGN_OR_RETURN(const bool sees, is_there(has_camera, key, "a scene with a camera"));
+  if (!sees) return {};
+  ASSIGN_OR_RETURN(const bool has_parts, file_.has(file_.parts));
+  ASSIGN_OR_RETURN(const bool knows, is_there(has_parts, key, "parts"));
+  if (!knows) return {};
+  ASSIGN_OR_RETURN(auto parts, recognition::load_parts(file_.parts));
+  auto& host = host_.declare(key, std::string(kRecognitionType), queue_);
+  host_.attach(key, std::make_unique<recognition::ObjectRecognition>(host, std::move(parts)));
+  return {};
+}
+
+Expected<void> Cell::add_database(const std::string& key, const CellSetup& setup) {
+  ASSIGN_OR_RETURN(auto store, open_store(file_, setup.database));
+  if (setup.own_threads) {
+    database_queue_ = std::make_unique<services::WorkThread>("database");
+    database_queue_->post(services::shorten_time_slice);
+  }
+  ASSIGN_OR_RETURN(start_values_, start_values(file_));
+  auto& host = host_.declare(key, std::string(kDatabaseType), database_queue());
+  auto database = std::make_unique<database::Database>(std::move(store), host);
+  database_ = database.get();
+  host_.attach(key, std::move(database));
+  return {};
+}
+
+Expected<void> Cell::add_timer(const std::string& key, const CellSetup&) {
+  auto& host = host_.declare(key, std::string(kTimerType), queue_);
+  host_.attach(key, std::make_unique<timer::Timer>(host));
+  return {};
+}
+
+void Cell::add_extra(const ExtraService& service, const std::string& key) {
+  if (host_.has(key)) return;  // its process brings it
+  host_.attach(key, service.make(host_.declare(key, service.type, queue_)));
 }
 
 Expected<std::unique_ptr<services::Component>> Cell::make_robot() {
@@ -85,35 +175,6 @@ Expected<std::unique_ptr<services::Component>> Cell::make_robot() {
 
 std::unique_ptr<services::Component> Cell::make_gripper() {
   return std::make_unique<gripper::Gripper>(*gripper_host_, local_world_->world());
-}
-
-Expected<void> Cell::add_vision(const CellSetup& setup) {
-  if (!local_world_->world().scene().camera) return {};
-  auto& camera_host = host_.declare("camera", "KinectDriver", queue_);
-  host_.attach("camera", std::make_unique<camera::Camera>(camera_host, local_world_->world(), setup.seed));
-  const fs::path parts_path = fs::path(setup.folder) / "parts.json";
-  const bool elsewhere = std::ranges::find(setup.remote, "recognition") != setup.remote.end();
-  if (elsewhere) return {};
-  ASSIGN_OR_RETURN(const bool has_parts, file_exists(parts_path));
-  if (!has_parts) return {};
-  ASSIGN_OR_RETURN(auto parts, recognition::load_parts(parts_path));
-  auto& host = host_.declare("obj_rec", "ObjectRecognition", queue_);
-  host_.attach("obj_rec", std::make_unique<recognition::ObjectRecognition>(host, std::move(parts)));
-  return {};
-}
-
-Expected<void> Cell::add_database(const CellSetup& setup) {
-  ASSIGN_OR_RETURN(auto store, open_store(setup.folder, setup.database));
-  if (setup.own_threads) {
-    database_queue_ = std::make_unique<services::WorkThread>("database");
-    database_queue_->post(services::shorten_time_slice);
-  }
-  ASSIGN_OR_RETURN(start_values_, start_values(setup.folder));
-  auto database =
-      std::make_unique<database::Database>(std::move(store), host_.declare("db", "database", database_queue()));
-  database_ = database.get();
-  host_.attach("db", std::move(database));
-  return {};
 }
 
 services::WorkQueue& Cell::database_queue() {

@@ -13,6 +13,7 @@
 
 #include "core/value/expected.h"
 #include "core/value/value.h"
+#include "server/cell/cell_file.h"
 #include "server/cell/local_world.h"
 #include "server/cell/pending_commands.h"
 #include "services/host/host.h"
@@ -32,7 +33,7 @@ struct ExtraService {
 };
 
 struct CellSetup {
-  std::string folder;    // with scene.json and database.json; what is absent is not there
+  std::string folder;    // of the cell (cell_file.h); empty: none
   std::string database;  // file of the database, or ":memory:"
   // The database has a thread of its own, and world time waits for nobody. Else all services are one group, and world
   // time waits for answers that are due, so that a seed gives one run.
@@ -40,6 +41,8 @@ struct CellSetup {
   std::vector<ExtraService> extra_services = {};
   std::vector<std::string> remote =
       {};  // names of the groups (component_groups.h) that wait for a process of their own
+  bool own_services =
+      false;  // processes may bring services: those that the cell expects, and their own as it lets them
   std::chrono::milliseconds heartbeat{1000};  // how long such a process may be silent
   services::MotionGate* gate = nullptr;       // of the host; outlives the cell
   std::uint64_t seed = 0;                     // of everything that is random; the same seed gives the same run
@@ -49,11 +52,12 @@ class Cell {
  public:
   static constexpr double kStep = world::World::kStep;
 
-  /// Builds the world of `folder`/scene.json with the services `robot` and `gripper`, `camera` if the scene has one
-  /// and `obj_rec` if there is also `folder`/parts.json, and `db` and `timer`. Values of
-  /// `folder`/database.json whose keys the database does not have are added to it. Errors: `io`, and those of the
+  /// Builds the world and the services that the cell names. Without a cell.json those are all for which there are
+  /// files: `robot` and `gripper` in a scene, `camera` if that has one and `obj_rec` if there are parts, too; `db`,
+  /// `timer` and those of `extra_services`. Values of the cell whose keys the database does not have are added to it.
+  /// Errors: those of read_cell(); `missing`: a service that the cell names lacks something; `io`, and those of the
   /// files.
-  static Expected<std::unique_ptr<Cell>> create(const CellSetup& setup, services::HostObserver& observer);
+  static Checked<std::unique_ptr<Cell>> create(const CellSetup& setup, services::HostObserver& observer);
   ~Cell();
   Cell(const Cell&) = delete;
   Cell& operator=(const Cell&) = delete;
@@ -69,12 +73,12 @@ class Cell {
   /// CellWorld::execute(), from any thread; the result goes to `done` (pending_commands.h). Only with a world, and
   /// after start_real_time(). Errors: `unavailable`, those of the command.
   void execute(const std::optional<PersonCommand>& command, Deadlines& deadlines, Done<Value> done);
-  /// Puts world, robot and gripper back to the scene of the start and lets all hands go, and, if `with_database`, makes
-  /// start_values() the only ones of the database, which comes first. What waits for an answer of robot or gripper is
-  /// answered `unavailable`. Gives what hands hold then to `done`; from any thread, as execute(). A core that executes
-  /// would not expect it: its caller knows of none. Errors: `conflict`, the world or the database is a process of its
-  /// own, or another reset is not done yet; those of execute() and of the database.
-  void reset(bool with_database, Deadlines& deadlines, Done<Value> done);
+  /// Puts world, robot and gripper back to the scene of the start and lets all hands go, and, if `wants_database` and
+  /// the cell has one, makes start_values() the only ones of the database, which comes first. What waits for an answer
+  /// of robot or gripper is answered `unavailable`. Gives what hands hold then to `done`; from any thread, as
+  /// execute(). A core that executes would not expect it: its caller knows of none. Errors: `conflict`, the world or
+  /// the database is a process of its own, or another reset is not done yet; those of execute() and of the database.
+  void reset(bool wants_database, Deadlines& deadlines, Done<Value> done);
   /// Called at the beginning of each step(), on the group's thread. To be set before the first step.
   void before_step(std::function<void()> work) { before_step_ = std::move(work); }
 
@@ -99,12 +103,24 @@ class Cell {
   static constexpr std::chrono::milliseconds kPeriod{1};       // of steps
   static constexpr std::chrono::milliseconds kMostLate{100};
 
-  Cell(services::HostObserver& observer, services::MotionGate* gate) : host_(clock_, observer, gate) {}
+  Cell(CellFile file, services::HostObserver& observer, services::MotionGate* gate)
+      : file_(std::move(file)), host_(clock_, observer, gate) {}
+  Expected<void> build(const CellSetup& setup);
   void take_step();
   void note_lateness(std::chrono::steady_clock::duration late);
   void work_in_step();
   Expected<void> add_remotes(const CellSetup& setup);
-  Expected<void> add_world(const std::string& scene_path, std::uint64_t seed);
+  void add_absent();
+  Expected<void> add_world(const CellSetup& setup);
+  Expected<void> add_service(const CellFile::Service& service, const CellSetup& setup);
+  Expected<void> add_robot(const std::string& key, const CellSetup& setup);
+  Expected<void> add_gripper(const std::string& key, const CellSetup& setup);
+  Expected<void> add_camera(const std::string& key, const CellSetup& setup);
+  Expected<void> add_recognition(const std::string& key, const CellSetup& setup);
+  Expected<void> add_database(const std::string& key, const CellSetup& setup);
+  Expected<void> add_timer(const std::string& key, const CellSetup& setup);
+  void add_extra(const ExtraService& service, const std::string& key);
+  Expected<bool> is_there(bool it, const std::string& key, const char* what) const;
   Expected<void> check_resettable(bool with_database) const;
   class Reset;
   Expected<std::shared_ptr<Reset>> begin_reset();
@@ -112,15 +128,14 @@ class Cell {
   Expected<std::unique_ptr<services::Component>> make_robot();
   std::unique_ptr<services::Component> make_gripper();
   services::WorkQueue& database_queue();
-  Expected<void> add_vision(const CellSetup& setup);
-  Expected<void> add_database(const CellSetup& setup);
 
+  const CellFile file_;
   services::WorldClock clock_;
   services::WorkQueue queue_;
   std::unique_ptr<services::WorkThread> database_queue_;
   std::unique_ptr<CellWorld> world_;
   LocalWorld* local_world_ = nullptr;                                      // world_, if it is in this process
-  services::ServiceHost *robot_host_ = nullptr, *gripper_host_ = nullptr;  // if it is
+  services::ServiceHost *robot_host_ = nullptr, *gripper_host_ = nullptr;  // if they are
   std::uint64_t seed_ = 0;                                                 // of the robot
   database::Database* database_ = nullptr;                                 // the host's, if it is in this process
   Dict start_values_;                                                      // of it

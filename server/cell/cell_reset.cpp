@@ -29,7 +29,8 @@ Expected<std::shared_ptr<Cell::Reset>> Cell::begin_reset() {
   return std::make_shared<Reset>(resetting_);
 }
 
-void Cell::reset(bool with_database, Deadlines& deadlines, Done<Value> done) {
+void Cell::reset(bool wants_database, Deadlines& deadlines, Done<Value> done) {
+  const bool with_database = wants_database && file_.key_of(kDatabaseType);
   if (auto here = check_resettable(with_database); !here) return done(tl::unexpected(std::move(here).error()));
   const auto begun = begin_reset();
   if (!begun) return done(tl::unexpected(begun.error()));
@@ -70,9 +71,11 @@ Expected<void> Cell::check_resettable(bool with_database) const {
 Expected<Value> Cell::reset_world() {
   constexpr const char* kWhy = "the cell was reset";
   local_world_->reset();
-  ASSIGN_OR_RETURN(auto robot, make_robot());
-  host_.replace("robot", std::move(robot), kWhy);
-  host_.replace("gripper", make_gripper(), kWhy);
+  if (robot_host_) {
+    ASSIGN_OR_RETURN(auto robot, make_robot());
+    host_.replace(*file_.key_of(kRobotType), std::move(robot), kWhy);
+  }
+  if (gripper_host_) host_.replace(*file_.key_of(kGripperType), make_gripper(), kWhy);
   return local_world_->perform(std::nullopt);
 }
 

@@ -1,10 +1,11 @@
 #include "server/cell/component_groups.h"
 
+#include <algorithm>
 #include <array>
-#include <filesystem>
 #include <limits>
 
 #include "core/value/json.h"
+#include "server/accounts/role.h"
 #include "server/cell/local_world.h"
 #include "server/store/files.h"
 #include "services/audio/audio.h"
@@ -20,8 +21,6 @@
 namespace race::server {
 namespace {
 
-namespace fs = std::filesystem;
-
 // Executes a command that the server sends; the server has validated it before.
 Expected<Value> execute_in(LocalWorld& world, const Value& json) {
   if (json.is_null()) return world.perform(std::nullopt);
@@ -30,14 +29,41 @@ Expected<Value> execute_in(LocalWorld& world, const Value& json) {
   return world.perform(*command);
 }
 
+Expected<void> check_file(const std::string& file, const char* what) {
+  if (!file.empty()) return {};
+  return unexpected(ErrorCode::missing, "needs the folder of a cell that has " + std::string(what), "--folder");
+}
+
+// Makes a component of this type, if the cell has the service.
+template <typename Make>
+Expected<void> add(std::string_view type, const GroupSetup& setup, remote::ProcessHost& process, Make make) {
+  const std::optional<std::string> key = setup.cell.key_of(type);
+  if (!key) return {};
+  ASSIGN_OR_RETURN(std::unique_ptr<services::Component> component,
+                   make(process.declare(*key, std::string(type)), *key));
+  process.attach(*key, std::move(component));
+  return {};
+}
+
+using MadeComponent = Expected<std::unique_ptr<services::Component>>;
+
 Expected<void> make_cell(const GroupSetup& setup, remote::ProcessHost& process) {
-  ASSIGN_OR_RETURN(std::shared_ptr<LocalWorld> local_world, LocalWorld::load(fs::path(setup.folder) / "scene.json"));
+  if (auto there = check_file(setup.cell.scene, "a scene"); !there) return there;
+  ASSIGN_OR_RETURN(std::shared_ptr<LocalWorld> local_world, LocalWorld::load(setup.cell.scene));
   world::World& world = local_world->world();
-  ASSIGN_OR_RETURN(auto robot, robot::Robot::create(process.declare("robot", "robot"), world));
-  process.attach("robot", std::move(robot));
-  process.attach("gripper", std::make_unique<gripper::Gripper>(process.declare("gripper", "gripper"), world));
+  auto added = add(kRobotType, setup, process, [&](services::ServiceHost& host, const std::string&) -> MadeComponent {
+    return robot::Robot::create(host, world);
+  });
+  if (!added) return added;
+  added = add(kGripperType, setup, process, [&](services::ServiceHost& host, const std::string&) -> MadeComponent {
+    return std::make_unique<gripper::Gripper>(host, world);
+  });
+  if (!added) return added;
   if (world.scene().camera)
-    process.attach("camera", std::make_unique<camera::Camera>(process.declare("camera", "KinectDriver"), world, 0));
+    added = add(kCameraType, setup, process, [&](services::ServiceHost& host, const std::string&) -> MadeComponent {
+      return std::make_unique<camera::Camera>(host, world, 0);
+    });
+  if (!added) return added;
   local_world->on_pose([&process](Value pose) { process.send_pose(std::move(pose)); });
   process.set_world({local_world->description(),
                      [local_world](const Value& command) { return execute_in(*local_world, command); },
@@ -48,38 +74,46 @@ Expected<void> make_cell(const GroupSetup& setup, remote::ProcessHost& process) 
 }
 
 Expected<void> make_recognition(const GroupSetup& setup, remote::ProcessHost& process) {
-  ASSIGN_OR_RETURN(auto parts, recognition::load_parts(fs::path(setup.folder) / "parts.json"));
-  services::ServiceHost& host = process.declare("obj_rec", "ObjectRecognition");
-  process.attach("obj_rec", std::make_unique<recognition::ObjectRecognition>(host, std::move(parts)));
-  return {};
+  if (auto there = check_file(setup.cell.parts, "parts"); !there) return there;
+  ASSIGN_OR_RETURN(auto parts, recognition::load_parts(setup.cell.parts));
+  return add(kRecognitionType, setup, process, [&](services::ServiceHost& host, const std::string&) -> MadeComponent {
+    return std::make_unique<recognition::ObjectRecognition>(host, std::move(parts));
+  });
 }
 
 Expected<void> make_database(const GroupSetup& setup, remote::ProcessHost& process) {
-  ASSIGN_OR_RETURN(auto store, open_store(setup.folder, setup.database));
-  process.attach("db", std::make_unique<database::Database>(std::move(store), process.declare("db", "database")));
-  return {};
+  ASSIGN_OR_RETURN(auto store, open_store(setup.cell, setup.database));
+  return add(kDatabaseType, setup, process, [&](services::ServiceHost& host, const std::string&) -> MadeComponent {
+    return std::make_unique<database::Database>(std::move(store), host);
+  });
 }
 
 // How a component calls its host functions in the server.
-display::ServerRequest asking(remote::ProcessHost& process, const char* key) {
+display::ServerRequest asking(remote::ProcessHost& process, const std::string& key) {
   return [&process, key](std::string_view function, Dict arguments) {
     return process.request(key, function, std::move(arguments));
   };
 }
 
 Expected<void> make_display(const GroupSetup& setup, remote::ProcessHost& process) {
-  services::ServiceHost& host = process.declare("display", "display");
-  auto backend = std::make_shared<display::RemoteDisplayBackend>(asking(process, "display"));
-  process.attach("display", std::make_unique<display::Display>(*backend, setup.folder, host));
-  process.on_host_change("display", [backend] { backend->invalidate(); });
+  std::shared_ptr<display::RemoteDisplayBackend> backend;
+  const auto make = [&](services::ServiceHost& host, const std::string& key) -> MadeComponent {
+    backend = std::make_shared<display::RemoteDisplayBackend>(asking(process, key));
+    return std::make_unique<display::Display>(*backend, setup.folder, host);
+  };
+  if (auto added = add(kDisplayType, setup, process, make); !added || !backend) return added;
+  process.on_host_change(*setup.cell.key_of(kDisplayType), [backend] { backend->invalidate(); });
   return {};
 }
 
-Expected<void> make_audio(const GroupSetup&, remote::ProcessHost& process) {
-  services::ServiceHost& host = process.declare("audio", "audio");
-  auto speakers = std::make_shared<audio::RemoteSpeakers>(asking(process, "audio"));
-  process.attach("audio", std::make_unique<audio::Audio>(*speakers, host));
-  process.on_host_change("audio", [speakers] { speakers->invalidate(); });
+Expected<void> make_audio(const GroupSetup& setup, remote::ProcessHost& process) {
+  std::shared_ptr<audio::RemoteSpeakers> speakers;
+  const auto make = [&](services::ServiceHost& host, const std::string& key) -> MadeComponent {
+    speakers = std::make_shared<audio::RemoteSpeakers>(asking(process, key));
+    return std::make_unique<audio::Audio>(*speakers, host);
+  };
+  if (auto added = add(kAudioType, setup, process, make); !added || !speakers) return added;
+  process.on_host_change(*setup.cell.key_of(kAudioType), [speakers] { speakers->invalidate(); });
   return {};
 }
 
@@ -87,16 +121,15 @@ Expected<void> make_audio(const GroupSetup&, remote::ProcessHost& process) {
 
 std::span<const ComponentGroup> component_groups() {
   static const std::array kGroups = {
-      ComponentGroup{"cell",
-                     {{"robot", "robot", &robot::model()},
-                      {"gripper", "gripper", &gripper::model()},
-                      {"camera", "KinectDriver", &camera::model()}},
-                     true,
-                     make_cell},
-      ComponentGroup{"recognition", {{"obj_rec", "ObjectRecognition", &recognition::model()}}, false, make_recognition},
-      ComponentGroup{"database", {{"db", "database", &database::model()}}, false, make_database},
-      ComponentGroup{"display", {{"display", "display", &display::model()}}, false, make_display},
-      ComponentGroup{"audio", {{"audio", "audio", &audio::model()}}, false, make_audio},
+      ComponentGroup{
+          "cell",
+          {{kRobotType, &robot::model()}, {kGripperType, &gripper::model()}, {kCameraType, &camera::model()}},
+          true,
+          make_cell},
+      ComponentGroup{"recognition", {{kRecognitionType, &recognition::model()}}, false, make_recognition},
+      ComponentGroup{"database", {{kDatabaseType, &database::model()}}, false, make_database},
+      ComponentGroup{"display", {{kDisplayType, &display::model()}}, false, make_display},
+      ComponentGroup{"audio", {{kAudioType, &audio::model()}}, false, make_audio},
   };
   return kGroups;
 }
@@ -107,9 +140,10 @@ std::string component_group_names() {
   return names;
 }
 
-std::vector<std::string> names_of_component_groups() {
+std::vector<std::string> groups_of_processes() {
   std::vector<std::string> names;
   for (const ComponentGroup& group : component_groups()) names.emplace_back(group.name);
+  names.emplace_back(remote::kOwnGroup);
   return names;
 }
 
@@ -120,21 +154,35 @@ Expected<const ComponentGroup*> find_component_group(std::string_view name) {
                     std::string(name));
 }
 
-Expected<Dict> start_values(const std::string& folder) {
-  if (folder.empty()) return Dict{};
-  const fs::path file = fs::path(folder) / "database.json";
-  ASSIGN_OR_RETURN(const bool is_there, file_exists(file));
+Expected<void> check_account_group(std::string_view name) {
+  const std::vector<std::string> groups = groups_of_processes();
+  if (name == kLocal || std::ranges::find(groups, name) != groups.end()) return {};
+  return unexpected(ErrorCode::not_found,
+                    "there is no such component group; there are " + component_group_names() + ", and " +
+                        std::string(remote::kOwnGroup) + " for services of one's own",
+                    std::string(name));
+}
+
+std::vector<remote::RemoteService> services_of(const ComponentGroup& group, const CellFile& cell) {
+  std::vector<remote::RemoteService> services;
+  for (const auto& [type, model] : group.services)
+    if (const auto key = cell.key_of(type)) services.push_back({*key, std::string(type), model});
+  return services;
+}
+
+Expected<Dict> start_values(const CellFile& cell) {
+  ASSIGN_OR_RETURN(const bool is_there, cell.has(cell.database));
   if (!is_there) return Dict{};
-  ASSIGN_OR_RETURN(const std::string text, read_file(file));
+  ASSIGN_OR_RETURN(const std::string text, read_file(cell.database));
   ASSIGN_OR_RETURN(Value values, parse_json(text));
-  if (!values.is_dict()) return unexpected(ErrorCode::type, "expected an object of key: value", file);
+  if (!values.is_dict()) return unexpected(ErrorCode::type, "expected an object of key: value", cell.database);
   values.freeze();
   return values.as_dict();
 }
 
-Expected<database::Store> open_store(const std::string& folder, const std::string& database) {
+Expected<database::Store> open_store(const CellFile& cell, const std::string& database) {
   ASSIGN_OR_RETURN(auto store, database::Store::open(database));
-  ASSIGN_OR_RETURN(const Dict values, start_values(folder));
+  ASSIGN_OR_RETURN(const Dict values, start_values(cell));
   for (const auto& [key, value] : values) {
     if (store.get(key.as_string())) continue;
     if (auto put = store.put(key.as_string(), value); !put) return tl::unexpected(std::move(put).error());

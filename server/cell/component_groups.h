@@ -1,5 +1,6 @@
 // Component groups: what of a cell can run, and die, as a process of its own (`race serve --remote NAME`, `race service
-// NAME`). The one table of them: adding a group is adding a row.
+// NAME`). The one table of them: adding a group is adding a row. Which of these services a cell has, and by which keys,
+// says its file (cell_file.h).
 #pragma once
 
 #include <span>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "core/value/expected.h"
+#include "server/cell/cell_file.h"
 #include "services/database/store.h"
 #include "services/remote/process_host.h"
 #include "services/remote/remotes.h"
@@ -16,13 +18,19 @@ namespace race::server {
 
 /// What groups are made from, as of a cell (CellSetup).
 struct GroupSetup {
-  std::string folder;    // with scene.json, parts.json, database.json, images; what is absent is not there
+  CellFile cell;
+  std::string folder;    // of images
   std::string database;  // file of the database
 };
 
 struct ComponentGroup {
+  /// A service that it may have, by type.
+  struct Service {
+    std::string_view type;
+    const rsm::Service* model = nullptr;
+  };
   std::string_view name;
-  std::vector<remote::RemoteService> services;
+  std::vector<Service> services;
   bool world = false;  // whether its process brings the world of the cell
   /// Makes the components in a process. Errors: those of the files.
   Expected<void> (*make)(const GroupSetup& setup, remote::ProcessHost& process);
@@ -31,14 +39,21 @@ struct ComponentGroup {
 std::span<const ComponentGroup> component_groups();
 /// "cell, recognition, ..."
 std::string component_group_names();
-std::vector<std::string> names_of_component_groups();
+/// All that a process may bring: the groups, and services of its own (remote::kOwnGroup).
+std::vector<std::string> groups_of_processes();
 /// The group of this name; error `not_found` names those that there are.
 Expected<const ComponentGroup*> find_component_group(std::string_view name);
+/// Whether an account may have this group: of groups_of_processes(), or kLocal. Error `not_found` names those of
+/// processes.
+Expected<void> check_account_group(std::string_view name);
 
-/// The values of `folder`/database.json, frozen; none, if there is no such file. Errors: `io`, and those of the file.
-Expected<Dict> start_values(const std::string& folder);
+/// Those of its services that the cell has.
+std::vector<remote::RemoteService> services_of(const ComponentGroup& group, const CellFile& cell);
+
+/// The values in the file of the cell, frozen; none, if there is no such file. Errors: `io`, and those of the file.
+Expected<Dict> start_values(const CellFile& cell);
 /// Opens the database of a cell: start_values() whose keys it does not have are added to it. Errors: those, and of the
 /// database.
-Expected<database::Store> open_store(const std::string& folder, const std::string& database);
+Expected<database::Store> open_store(const CellFile& cell, const std::string& database);
 
 }  // namespace race::server

@@ -19,6 +19,9 @@ void ServicePublisher::changed(const services::ServiceStatus& status) {
   if (cores_) cores_->service_changed(status.key, status.available ? status.state : std::nullopt);
 }
 
+// Changes say nothing of RSMs: the channel begins anew, with all of them.
+void ServicePublisher::redescribed() { hub_.restart(std::string(kServicesChannel)); }
+
 void ServicePublisher::logged(services::Time time, const std::string& key, const std::string& text) {
   log_.append(time, key, text);
 }

@@ -27,6 +27,7 @@ class ServicePublisher final : public services::HostObserver {
 
   void delivered(const services::Delivery& delivery) override;
   void changed(const services::ServiceStatus& status) override;
+  void redescribed() override;
   void logged(services::Time time, const std::string& key, const std::string& text) override;
 
  private:

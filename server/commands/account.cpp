@@ -47,7 +47,7 @@ Expected<std::string> read_hash(const std::string& account) {
 Expected<void> add(Accounts& accounts, const Options& options) {
   Account account{options.words[0], role_of(options.role).value(), options.groups, "", now_ms()};
   for (const std::string& group : account.groups)
-    if (const auto found = find_component_group(group); !found && group != kLocal) return tl::unexpected(found.error());
+    if (auto known = check_account_group(group); !known) return known;
   if (auto fine = account.check(); !fine) return fine;
   if (account.role != Role::process) {
     ASSIGN_OR_RETURN(account.password_hash, read_hash(account.name));
@@ -135,7 +135,7 @@ std::function<int()> declare(Arguments& arguments) {
                    "process, of services, which needs --groups");
   arguments.names("--groups", "GROUP,...", options->groups,
                   "of a process: the component groups that it may bring: " + component_group_names() +
-                      "; local: of people, a display at the cell");
+                      ", own: services of one's own; local: of people, a display at the cell");
   arguments.text("--label", "TEXT", options->label, "of token: what it is for");
   arguments.number("--days", "N", options->days, {0, 3650, true}, "of token: how long it is good; 0: for ever");
   return [options] { return run(*options); };

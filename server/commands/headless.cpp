@@ -41,7 +41,7 @@ tl::expected<Status, FileErrors> Headless::run(const rcm::Document& document, Di
   CellSetup of_cell = setup.cell;
   of_cell.own_threads = false;
   auto cell = Cell::create(of_cell, observer);
-  if (!cell) return fail(std::move(cell).error());
+  if (!cell) return fail_in("", std::move(cell).error());
   if (setup.script) {
     CellWorld* world = (*cell)->world();
     if (!world) return fail({ErrorCode::not_found, "an operator script needs a cell with a world", "--operator"});

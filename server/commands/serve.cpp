@@ -45,7 +45,8 @@ bool holds_demo(const fs::path& folder, std::error_code& unknown) {
   auto entry = fs::directory_iterator(folder, unknown);
   for (; !unknown && entry != fs::directory_iterator(); entry.increment(unknown)) {
     const std::string name = entry->path().filename();
-    if (name == "scene.json" || name == "database.json" || name.ends_with(".rcm.json")) return true;
+    if (name == "cell.json" || name == "scene.json" || name == "database.json" || name.ends_with(".rcm.json"))
+      return true;
   }
   return false;
 }
@@ -61,7 +62,8 @@ std::optional<FileErrors> check_demo(const Options& options, const Arguments& ar
   std::error_code unknown;
   if (folder.empty() || holds_demo(folder, unknown)) return {};
   if (unknown) return wrong(ErrorCode::io, quote(folder) + " cannot be read: " + unknown.message());
-  return wrong(ErrorCode::not_found, quote(folder) + " holds neither a cell (scene.json) nor documents (*.rcm.json)");
+  return wrong(ErrorCode::not_found,
+               quote(folder) + " holds neither a cell (cell.json, scene.json) nor documents (*.rcm.json)");
 }
 
 // Reads the configuration into the settings, but for those that the command line gives; then checks them all.

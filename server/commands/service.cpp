@@ -115,7 +115,9 @@ int run_service(const Options& options) {
     return refuse(Error{ErrorCode::not_accepted,
                         "a process of services connects without TLS: to a server of its own machine, or by a tunnel",
                         url});
-  const GroupSetup setup{options.folder, options.database};
+  auto cell = read_cell(options.folder);
+  if (!cell) return refuse(FileErrors{"", std::move(cell).error()});
+  const GroupSetup setup{std::move(*cell), options.folder, options.database};
   Log log(name);
   std::signal(SIGPIPE, SIG_IGN);  // of a log that nobody reads any more
   std::signal(SIGINT, [](int) { stop_requested = true; });
@@ -170,7 +172,7 @@ std::function<int()> declare(Arguments& arguments) {
                  "the token of the process: processes.token in the server's data folder, or that of an account; else "
                  "that in RACE_TOKEN, else data/processes.token");
   arguments.text("--folder", "DIR", options->folder,
-                 "the cell: scene.json, parts.json, database.json, pictures, as its group needs them");
+                 "the cell: cell.json, or scene.json, parts.json, database.json; pictures; as its group needs them");
   arguments.text("--database", "FILE", options->database, "of the group database: where its values are kept");
   return [options] { return run_service(*options); };
 }

@@ -21,8 +21,8 @@ struct Wanted {
 
 void check_groups(const std::vector<std::string>& groups, Fields& fields) {
   for (std::size_t i = 0; i < groups.size(); ++i)
-    if (const auto group = find_component_group(groups[i]); !group && groups[i] != kLocal)
-      fields.violation(ErrorCode::out_of_range, group.error().message, "groups/" + std::to_string(i));
+    if (const auto known = check_account_group(groups[i]); !known)
+      fields.violation(ErrorCode::out_of_range, known.error().message, "groups/" + std::to_string(i));
 }
 
 Checked<Wanted> read_wanted(const Request& request, bool creates) {

@@ -28,7 +28,7 @@ class ComponentSession final : public Session {
         hello_timer_(executor_),
         heartbeat_timer_(executor_),
         heartbeat_check_(targets.remotes.heartbeat() / remote::ProcessLink::kPingsPerHeartbeat),
-        link_(targets.remotes, identity_.groups) {}
+        link_(targets.remotes, identity_.groups, identity_.account) {}
 
   awaitable<void> run(Upgrade request, Connections::Place& place) {
     if (!co_await accept(request, remote::ProcessLink::kHelloBytes, place)) co_return;

@@ -33,7 +33,7 @@ void Host::subscribe(std::size_t number, std::string_view key, std::string_view 
   if (!entry.status.available) return;
   if (entry.declares_subscription(key, flow)) return set_subscription(entry, key, flow, on);
   const std::string name = std::string(key) + "." + std::string(flow);
-  log(entry, entry.ledger->add(clock_.now(), {{"subscribes", "`" + name + "` is not declared", 0}}));
+  report(entry, entry.ledger->add(clock_.now(), {{"subscribes", "`" + name + "` is not declared", 0}}));
   notify_status(entry);
 }
 

@@ -20,6 +20,8 @@ std::size_t freeze(List& args, Dict& kwargs) {
   return units;
 }
 
+std::string of_call(CallId call) { return call == 0 ? std::string() : " (call " + std::to_string(call) + ')'; }
+
 // Of the calls of a core: an odd number. Packets, and what is due, wait for no calls.
 WorkQueue::Lane lane_of(const std::string& core) {
   return core.empty() ? WorkQueue::kNoLane : std::hash<std::string>{}(core) | 1U;
@@ -152,7 +154,7 @@ void Host::call_safe_of(const std::function<bool(const std::string& service)>& i
   {
     const MutexLock lock(mutex_);
     for (const auto& entry : entries_)
-      for (const rsm::Operation& operation : entry->model.operations)
+      for (const rsm::Operation& operation : entry->model->operations)
         if (operation.safe && is_one(entry->status.key)) calls.emplace_back(entry->status.key, operation.name);
   }
   for (auto& [service, operation] : calls) call({}, service, std::move(operation), {}, {});
@@ -183,7 +185,7 @@ bool Host::is_pending(const ServiceEntry& entry, CallId call) const {
 bool Host::can_be_called(const PendingCall& call, ServiceEntry& entry) {
   const std::string& key = entry.status.key;
   if (!entry.status.available) return refuse(call, key, "lost"), false;
-  if (!find_operation(entry.model, call.operation)) return refuse(call, key, "no such operation"), false;
+  if (!find_operation(*entry.model, call.operation)) return refuse(call, key, "no such operation"), false;
   if (entry.ledger->is_full() && !call.caller.core.empty()) return refuse_more(call, entry), false;
   const std::size_t waiting = entry.ledger->pending().size() + entry.arriving.count();
   if (waiting <= CallLedger::kMostPending / 2) entry.refusal_logged = false;
@@ -192,7 +194,7 @@ bool Host::can_be_called(const PendingCall& call, ServiceEntry& entry) {
 
 // core/SEMANTICS.md, R7. Asked with each call: what is let through has arrived, and what comes later is refused.
 std::optional<Value> Host::refuse_motion(const PendingCall& call, const ServiceEntry& entry) {
-  const rsm::CallEffect effect = rsm::effect_of(*find_operation(entry.model, call.operation));
+  const rsm::CallEffect effect = rsm::effect_of(*find_operation(*entry.model, call.operation));
   if (!rsm::moves(effect)) return std::nullopt;
   return gate_.refuse(call.caller, entry.status.key, effect);
 }
@@ -228,7 +230,7 @@ void Host::transition(std::size_t number, std::string_view id, CallId call) {
   const MutexLock lock(mutex_);
   ServiceEntry& entry = *entries_[number];
   if (!entry.status.available) return;
-  log(entry, entry.ledger->transition(clock_.now(), id, call));
+  report(entry, entry.ledger->transition(clock_.now(), id, call));
   entry.status.last = std::string(id);
   notify_status(entry);
 }
@@ -237,7 +239,7 @@ void Host::respond(std::size_t number, CallId call, const Response& response) {
   const MutexLock lock(mutex_);
   ServiceEntry& entry = *entries_[number];
   if (!entry.status.available) return;
-  log(entry, entry.ledger->respond(clock_.now(), call, response.value, response.is_error));
+  report(entry, entry.ledger->respond(clock_.now(), call, response.value, response.is_error));
   answer(entry, call, response);
   notify_status(entry);
 }
@@ -246,7 +248,7 @@ void Host::reject(std::size_t number, CallId call) {
   const MutexLock lock(mutex_);
   ServiceEntry& entry = *entries_[number];
   if (!entry.status.available) return;
-  log(entry, entry.ledger->reject(clock_.now(), call));
+  report(entry, entry.ledger->reject(clock_.now(), call));
   answer(entry, call, {Dict{{"code", Value(name(ErrorCode::not_accepted))}}, true});
   notify_status(entry);
 }
@@ -258,7 +260,7 @@ void Host::event(std::size_t number, std::string_view name, Value data) {
   ServiceEntry& entry = *entries_[number];
   if (!entry.status.available) return;
   const CallLedger::Violations violations = entry.ledger->event(clock_.now(), name, data);
-  log(entry, violations);
+  report(entry, violations);
   if (!violations.empty()) notify_status(entry);
   Delivery delivery;
   delivery.time = clock_.now();
@@ -278,7 +280,13 @@ void Host::log(std::size_t number, const std::string& text) {
 
 void Host::log(const ServiceEntry& entry, const CallLedger::Violations& violations) {
   for (const Violation& each : violations)
-    observer_.logged(each.time, entry.status.key, each.rule + ": " + each.message);
+    observer_.logged(each.time, entry.status.key, each.rule + ": " + each.message + of_call(each.call));
+}
+
+// Of what the component has announced itself.
+void Host::report(ServiceEntry& entry, const CallLedger::Violations& violations) {
+  log(entry, violations);
+  for (const Violation& each : violations) post(entry, [each](Component& component) { component.violated(each); });
 }
 
 void Host::notify_status(const ServiceEntry& entry) { changed_.insert(entry.number); }
@@ -310,6 +318,7 @@ std::vector<ServiceStatus> Host::services() const {
   const MutexLock lock(mutex_);
   std::vector<ServiceStatus> all;
   for (const auto& entry : entries_) {
+    if (!entry->ledger) continue;
     entry->update_status(flows_, clock_.now());
     all.push_back(entry->status);
   }
@@ -319,7 +328,7 @@ std::vector<ServiceStatus> Host::services() const {
 std::optional<ServiceStatus> Host::service(const std::string& key) const {
   const MutexLock lock(mutex_);
   ServiceEntry* entry = find(key);
-  if (!entry) return std::nullopt;
+  if (!entry || !entry->ledger) return std::nullopt;
   entry->update_status(flows_, clock_.now());
   return entry->status;
 }
@@ -327,7 +336,7 @@ std::optional<ServiceStatus> Host::service(const std::string& key) const {
 bool Host::is_held(const std::string& service, std::string_view operation) const {
   const MutexLock lock(mutex_);
   const ServiceEntry* entry = find(service);
-  const rsm::Operation* found = entry ? find_operation(entry->model, operation) : nullptr;
+  const rsm::Operation* found = entry ? find_operation(*entry->model, operation) : nullptr;
   return found && found->held;
 }
 
@@ -335,14 +344,15 @@ Expected<rsm::CallEffect> Host::effect_of(const std::string& service, std::strin
   const MutexLock lock(mutex_);
   const ServiceEntry* entry = find(service);
   if (!entry || !entry->ledger) return unexpected(ErrorCode::not_found, "there is no service of this key", service);
-  const rsm::Operation* found = find_operation(entry->model, operation);
+  const rsm::Operation* found = find_operation(*entry->model, operation);
   return found ? rsm::effect_of(*found) : rsm::CallEffect::none;
 }
 
 std::map<std::string, rsm::Service> Host::models() const {
   const MutexLock lock(mutex_);
   std::map<std::string, rsm::Service> all;
-  for (const auto& entry : entries_) all.emplace(entry->status.key, entry->model);
+  for (const auto& entry : entries_)
+    if (entry->ledger) all.emplace(entry->status.key, *entry->model);
   return all;
 }
 

@@ -50,6 +50,8 @@ class HostObserver {
   /// State, pending calls, violations or flows of a service have changed; of a flow that passes, once a second. What
   /// changes within Host::kStatusPeriod is told at once, at its end.
   virtual void changed(const ServiceStatus& status) = 0;
+  /// Since the start, a service has come that was not there, or one has another RSM.
+  virtual void redescribed() {}
   virtual void logged(Time time, const std::string& key, const std::string& text) = 0;
 };
 
@@ -113,6 +115,10 @@ class Host {
   /// Another component of the same model takes the place of the one that is there, in the initial state of its RSM. For
   /// calls and what was on its way, that is disconnect() and reconnect(). On the thread of the queue.
   void replace(const std::string& key, std::unique_ptr<Component> component, const std::string& why) EXCLUDES(mutex_);
+  /// While everything runs: the component of a service that was just declared, or another one, of another type or
+  /// model, of a service that is there. It is disconnected; of one that was there, nothing is left. On the thread of
+  /// the queue.
+  void describe(const std::string& key, std::string type, std::unique_ptr<Component> component) EXCLUDES(mutex_);
   /// stop() of all components: queues are run no longer, or are those of this thread. Nothing is called afterwards.
   void stop() EXCLUDES(mutex_);
 
@@ -122,6 +128,8 @@ class Host {
   Flows::WatchId overhear(const std::string& service, const std::string& flow, Flows::Watcher watcher) EXCLUDES(mutex_);
   void unwatch(Flows::WatchId watch) EXCLUDES(mutex_);
 
+  /// Whether there is a service of this key.
+  bool has(std::string_view key) const EXCLUDES(keys_mutex_) { return find(key) != nullptr; }
   std::vector<ServiceStatus> services() const EXCLUDES(mutex_);
   std::optional<ServiceStatus> service(const std::string& key) const EXCLUDES(mutex_);
   /// Whether the service has such an operation, which is called while a person holds a button (rsm::Operation::held).
@@ -158,6 +166,7 @@ class Host {
   // Calls and what is said of them.
   ServiceEntry* find(std::string_view key) const EXCLUDES(keys_mutex_);
   void log(const ServiceEntry& entry, const CallLedger::Violations& violations) REQUIRES(mutex_);
+  void report(ServiceEntry& entry, const CallLedger::Violations& violations) REQUIRES(mutex_);
   void notify_status(const ServiceEntry& entry) REQUIRES(mutex_);
   void report_changes() REQUIRES(mutex_);
   void arrive(ServiceEntry& entry, std::uint64_t disconnections, const PendingCall& pending, const Call& call)

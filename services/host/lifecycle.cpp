@@ -1,5 +1,6 @@
 // What becomes of the components of a host: attached, disconnected, reconnected, stopped; and how they are called.
 #include <exception>
+#include <tuple>
 #include <utility>
 
 #include "services/host/host.h"
@@ -9,7 +10,7 @@ namespace race::services {
 void Host::attach(const std::string& key, std::unique_ptr<Component> component, Connection connection) {
   const MutexLock lock(mutex_);
   ServiceEntry& entry = *find(key);
-  entry.attach(std::move(component));
+  std::ignore = entry.attach(std::move(component));
   if (connection == Connection::connected) return make_available(entry);
   notify_status(entry);
 }
@@ -46,6 +47,20 @@ void Host::replace(const std::string& key, std::unique_ptr<Component> component,
     make_available(entry);
   }
   before->stop();
+}
+
+void Host::describe(const std::string& key, std::string type, std::unique_ptr<Component> component) {
+  std::unique_ptr<Component> before;  // ends without the lock
+  {
+    const MutexLock lock(mutex_);
+    ServiceEntry& entry = *find(key);
+    disconnect(entry, "begins anew: it has another RSM");
+    entry.status.type = std::move(type);
+    before = entry.attach(std::move(component));
+    notify_status(entry);
+    observer_.redescribed();
+  }
+  if (before) before->stop();
 }
 
 // `text`: for the log.

@@ -27,8 +27,8 @@ namespace race::services {
 struct ServiceStatus {
   static constexpr std::size_t kPendingShown = 32;
   std::string key, type;
-  const rsm::Service* model = nullptr;  // lives as long as the host
-  std::optional<std::string> state;     // none: a mere interface
+  std::shared_ptr<const rsm::Service> model;  // held by whoever looks, as the service may get another one
+  std::optional<std::string> state;           // none: a mere interface
   bool available = false;
   std::size_t pending_count = 0;      // calls that wait for a response
   std::vector<PendingCall> pending;   // the first kPendingShown of them, in order of call
@@ -41,8 +41,9 @@ struct ServiceStatus {
 struct ServiceEntry {
   ServiceEntry(std::size_t its_number, std::string key, std::string type, WorkQueue& its_queue);
 
-  /// The component is there, and disconnected. Copies and freezes its model: it is read on several threads.
-  void attach(std::unique_ptr<Component> its_component);
+  /// The component is there, and disconnected. Copies and freezes its model: it is read on several threads. Of another
+  /// component, and what was known of its calls, nothing is left: it is returned.
+  std::unique_ptr<Component> attach(std::unique_ptr<Component> its_component);
   /// Whether the component may subscribe to this flow.
   bool declares_subscription(std::string_view key, std::string_view flow) const;
   /// Brings `status` up to date; that of a service without a component stays as it is.
@@ -51,8 +52,8 @@ struct ServiceEntry {
   const std::size_t number;           // in order of declaration
   WorkQueue& queue;                   // where the component runs
   std::unique_ptr<ServiceHost> host;  // what the component talks to
-  rsm::Service model;
-  std::unique_ptr<CallLedger> ledger;
+  std::shared_ptr<const rsm::Service> model = std::make_shared<rsm::Service>();
+  std::unique_ptr<CallLedger> ledger;  // none: there is no component yet
   ServiceStatus status;
   std::atomic<std::uint64_t> disconnections{0};  // work that was posted before one is dropped; read by any thread
   ArrivingCalls arriving;                        // of any thread

@@ -24,7 +24,7 @@ struct ProcessLink::Process {
   std::atomic<bool> pong_received{false};                          // since the last ping
   std::shared_ptr<SendQueue> out = std::make_shared<SendQueue>();  // held by the components too
   std::map<std::string, RemoteComponent*> components;
-  std::vector<std::string> keys;  // in the order of its hello
+  std::vector<std::string> keys;  // of all, in the order of its hello
   RemoteWorld* world = nullptr;   // that it brought
   std::size_t group = 0;
   std::string fault;              // why nothing that it says counts any more; empty: it counts
@@ -79,8 +79,8 @@ struct ProcessLink::Process {
   }
 };
 
-ProcessLink::ProcessLink(Remotes& remotes, std::vector<std::string> groups)
-    : remotes_(remotes), groups_(std::move(groups)), process_(std::make_shared<Process>()) {}
+ProcessLink::ProcessLink(Remotes& remotes, std::vector<std::string> groups, std::string account)
+    : remotes_(remotes), owner_{std::move(groups), std::move(account)}, process_(std::make_shared<Process>()) {}
 
 ProcessLink::~ProcessLink() {
   process_->out->on_change({});
@@ -117,25 +117,26 @@ void ProcessLink::on_handled(std::function<void()> handled) {
 Expected<void> ProcessLink::accept_hello(const EncodedMessage& message) {
   ASSIGN_OR_RETURN(Message hello, decode(message, Reader::server));
   if (hello.kind != Kind::hello) return unexpected(ErrorCode::type, "the first message is `hello`", "type");
+  hello.value.freeze();  // the group's thread keeps parts of it
   if (hello.number != kProtocol)
     return unexpected(ErrorCode::version, "this server speaks protocol " + std::to_string(kProtocol), "protocol");
-  ASSIGN_OR_RETURN(const Remotes::Claim claim, remotes_.claim(hello.value, hello.world, groups_));
-  process_->group = claim.places.front()->group;
+  ASSIGN_OR_RETURN(const Remotes::Claim claim, remotes_.claim(hello.value, hello.world, owner_));
+  process_->group = claim.group;
   process_->world = claim.remote_world;
-  for (const Remotes::Place* place : claim.places) {
-    process_->keys.push_back(place->service.key);
-    process_->components.emplace(place->service.key, place->component);
-  }
+  process_->keys = claim.keys;
+  for (const Remotes::Place* place : claim.places) process_->components.emplace(place->service.key, place->component);
   accepted_ = true;
   process_->pong_received = true;
-  remotes_.post(process_->group, [process = process_, &remotes = remotes_, world = claim.world] {
+  remotes_.post(process_->group, [process = process_, &remotes = remotes_, world = claim.world, offers = claim.offers,
+                                  hears_violations = hello.on] {
+    for (const Offer& offer : offers) process->components.emplace(offer.key, remotes.own_->host(offer));
     Message welcome;
     welcome.kind = Kind::welcome;
     welcome.time = remotes.clock_.now();
     welcome.number = remotes.heartbeat().count();
     process->send(welcome);
     if (process->world) process->world->connect(process->out, world);
-    for (const auto& [key, component] : process->components) component->connect(process->out);
+    for (const auto& [key, component] : process->components) component->connect(process->out, hears_violations);
     for (const std::string& key : process->keys) remotes.host_.reconnect(key);
   });
   return {};
@@ -166,7 +167,8 @@ void ProcessLink::disconnect(const std::string& why) {
     if (process->world) process->world->connect(nullptr, {});
     for (const std::string& key : process->keys) {
       remotes.host_.disconnect(key, process->fault);
-      process->components.at(key)->connect(nullptr);
+      if (const auto found = process->components.find(key); found != process->components.end())
+        found->second->connect(nullptr);
     }
   });
   remotes_.release(process_->keys, process_->world);

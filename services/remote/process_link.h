@@ -22,8 +22,9 @@ class ProcessLink {
   static constexpr int kPingsPerHeartbeat = 4;
   static constexpr std::size_t kHelloBytes = 4 * 1024 * 1024;  // of the first message, at most
 
-  /// Of a process that may bring what is of these groups, by name (Remotes::add).
-  ProcessLink(Remotes& remotes, std::vector<std::string> groups);
+  /// Of a process that may bring what is of these groups, by name (Remotes::add), and the account that it has; empty:
+  /// it is one of the server's own user.
+  ProcessLink(Remotes& remotes, std::vector<std::string> groups, std::string account = {});
   ~ProcessLink();
   ProcessLink(const ProcessLink&) = delete;
   ProcessLink& operator=(const ProcessLink&) = delete;
@@ -55,7 +56,7 @@ class ProcessLink {
   Expected<void> accept_hello(const EncodedMessage& message);
 
   Remotes& remotes_;
-  const std::vector<std::string> groups_;
+  const Remotes::Owner owner_;
   std::optional<Error> refusal_;
   std::shared_ptr<Process> process_;  // held by work on its way to the group too
   bool accepted_ = false, disconnected_ = false;

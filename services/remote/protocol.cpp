@@ -32,7 +32,7 @@ constexpr Field kHeader{"header", &Message::value};
 constexpr Field kNumber{"number", &Message::number};
 
 constexpr std::array kHello = {Field{"protocol", &Message::number}, Field{"components", &Message::value},
-                               Field{"world", &Message::world, true}};
+                               Field{"world", &Message::world, true}, Field{"violations", &Message::on, true}};
 constexpr std::array kTransition = {kKey, Field{"id", &Message::name}, Field{"call", &Message::call, true}};
 constexpr std::array kResult = {kKey, kCall, Field{"value", &Message::value}};
 constexpr std::array kError = {kKey, kCall, Field{"error", &Message::value}};
@@ -62,6 +62,8 @@ constexpr std::array kOffer = {kNumber, kTime};
 constexpr std::array kAct = {kNumber, Field{"act", &Message::value}, kTime};
 constexpr std::array kWatch = {kOn, kTime};
 constexpr std::array kPing = {kNumber, kTime};
+constexpr std::array kViolation = {kKey,  Field{"rule", &Message::name},         Field{"message", &Message::value},
+                                   kCall, Field{"operation", &Message::service}, kTime};
 
 struct Row {
   Kind kind;
@@ -99,6 +101,7 @@ constexpr std::array kRows = {
     Row{Kind::act, "act", Reader::process, kAct},
     Row{Kind::watch, "watch", Reader::process, kWatch},
     Row{Kind::ping, "ping", Reader::process, kPing},
+    Row{Kind::violation, "violation", Reader::process, kViolation},
 };
 
 const Row& row_of(Kind kind) { return kRows[static_cast<std::size_t>(kind)]; }
@@ -179,6 +182,8 @@ Expected<void> check(const Message& message) {
   }
   if ((message.kind == Kind::hello || message.kind == Kind::refused) && !message.value.is_list())
     return unexpected(ErrorCode::type, "must be a list", message.kind == Kind::hello ? "components" : "errors");
+  if (message.kind == Kind::violation && !message.value.is_string())
+    return unexpected(ErrorCode::type, "must be a string", "message");
   if (message.kind == Kind::limit_speed && !message.value.is_null()) {
     if (!message.value.is_numeric()) return unexpected(ErrorCode::type, "must be a number or null", "tool_speed");
     if (!(message.value.to_double() >= 0))

@@ -56,6 +56,7 @@ enum class Kind : std::uint8_t {
   act,    // the command
   watch,  // whether to send poses
   ping,
+  violation,  // what the process announced does not fit the RSM of a service
 };
 
 /// Who reads a message.
@@ -70,13 +71,14 @@ Reader reader_of(Kind kind);
 struct Message {
   Kind kind = Kind::pong;
   std::string key;            // of the component that speaks or is spoken to
-  std::string name;           // of the transition, operation, event, flow or function; the text of a log
-  std::string service;        // whose flow it is
+  std::string name;           // of the transition, operation, event, flow, function or rule; the text of a log
+  std::string service;        // whose flow it is; of a violation, the operation of its call
   services::CallId call = 0;  // 0: no call
   std::int64_t number = 0;    // of the protocol, of a ping, of a request, of a command; the heartbeat [ms]
-  bool on = false;            // subscribes, has subscribers, is watched
+  bool on = false;            // subscribes, has subscribers, is watched, wants to be told of violations
   services::Time time = 0;    // the server's; of a packet, its own
-  Value value;  // result, error, reply, data of an event, header of a packet, components, errors, act, pose, tool speed
+  Value value;  // result, error, reply, data of an event, header of a packet, components, errors, act, pose, tool
+                // speed, what a violation is
   Value world;  // that the process brings, or null
   List args;
   Dict kwargs;

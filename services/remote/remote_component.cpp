@@ -2,14 +2,17 @@
 
 #include <utility>
 
+#include "services/host/call_ledger.h"
+
 namespace race::remote {
 
-RemoteComponent::RemoteComponent(std::string key, const rsm::Service& model, services::ServiceHost& host,
-                                 HostFunctions functions)
-    : key_(std::move(key)), model_(model), host_(host), functions_(std::move(functions)) {}
+RemoteComponent::RemoteComponent(std::string key, std::shared_ptr<const rsm::Service> model,
+                                 services::ServiceHost& host, HostFunctions functions)
+    : key_(std::move(key)), model_(std::move(model)), host_(host), functions_(std::move(functions)) {}
 
-void RemoteComponent::connect(std::shared_ptr<SendQueue> process) {
+void RemoteComponent::connect(std::shared_ptr<SendQueue> process, bool hears_violations) {
   process_ = std::move(process);
+  hears_violations_ = hears_violations;
   if (functions_.reset) functions_.reset();
 }
 
@@ -66,6 +69,19 @@ void RemoteComponent::limit_speed(std::optional<double> tool_speed) {
   if (tool_speed) message.value = *tool_speed;
   message.time = host_.now();
   if (auto sent = send(message); !sent) host_.log(sent.error().message);
+}
+
+void RemoteComponent::violated(const services::Violation& violation) {
+  if (!hears_violations_) return;
+  Message message;
+  message.kind = Kind::violation;
+  message.key = key_;
+  message.name = violation.rule;
+  message.value = cut(violation.message);
+  message.call = violation.call;
+  message.service = violation.operation;
+  message.time = violation.time;
+  (void)send(message);  // texts and finite numbers: it can be said
 }
 
 void RemoteComponent::notify_changes() {

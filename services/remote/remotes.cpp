@@ -25,14 +25,32 @@ Remotes::~Remotes() { stop(); }
 
 void Remotes::add(std::string name, const std::vector<RemoteService>& services, RemoteWorld* world) {
   const services::MutexLock lock(mutex_);
+  declare(make_group(std::move(name), world), services);
+}
+
+void Remotes::add_own(const std::vector<RemoteService>& expected, std::optional<std::set<std::string>> accounts) {
+  const services::MutexLock lock(mutex_);
+  own_group_ = make_group(std::string(kOwnGroup), nullptr);
+  own_accounts_ = std::move(accounts);
+  own_ = std::make_unique<OwnServices>(host_, *groups_[own_group_]);
+  declare(own_group_, expected);
+}
+
+std::size_t Remotes::make_group(std::string name, RemoteWorld* world) {
   names_.push_back(std::move(name));
   worlds_.push_back(world);
   groups_.push_back(std::make_unique<services::WorkThread>("processes", kShare));
   groups_.back()->post(services::shorten_time_slice);
+  return groups_.size() - 1;
+}
+
+void Remotes::declare(std::size_t group, const std::vector<RemoteService>& services) {
   for (const RemoteService& service : services) {
-    services::ServiceHost& host = host_.declare(service.key, service.type, *groups_.back());
-    auto component = std::make_unique<RemoteComponent>(service.key, *service.model, host, service.host_functions);
-    places_.emplace(service.key, Place{service, groups_.size() - 1, component.get()});
+    services::ServiceHost& host = host_.declare(service.key, service.type, *groups_[group]);
+    // It outlives all, so it is held by nobody.
+    const std::shared_ptr<const rsm::Service> model(std::shared_ptr<const void>(), service.model);
+    auto component = std::make_unique<RemoteComponent>(service.key, model, host, service.host_functions);
+    places_.emplace(service.key, Place{service, group, component.get()});
     host_.attach(service.key, std::move(component), services::Host::Connection::disconnected);
   }
 }
@@ -55,10 +73,14 @@ void Remotes::stop() {
   for (services::WorkThread* group : ending) group->end();
 }
 
-// The places of what a process brings, claimed or not.
-Expected<std::vector<const Remotes::Place*>> Remotes::find(const Value& components) const {
+// What a process brings, claimed or not.
+Expected<Remotes::Claim> Remotes::find(const Value& components) const {
   if (components.as_list().empty()) return unexpected(ErrorCode::missing, "there is no component", "components");
-  std::vector<const Place*> places;
+  const std::size_t most = std::max<std::size_t>(places_.size() + (own_ ? OwnServices::kMost : 0), 1);
+  if (components.as_list().size() > most)
+    return unexpected(ErrorCode::too_large, "a process brings at most " + std::to_string(most) + " services here",
+                      "components");
+  Claim claim;
   for (const Value& json : components.as_list()) {
     std::vector<Error> errors;
     Fields fields(json, "components", "a component", errors, Fields::Paths::field);
@@ -66,42 +88,63 @@ Expected<std::vector<const Remotes::Place*>> Remotes::find(const Value& componen
     const Value* model = fields.find("rsm", Fields::Need::required);
     fields.close();
     if (!errors.empty()) return tl::unexpected(errors.front());
-    const auto found = places_.find(*key);
-    if (found == places_.end())
-      return unexpected(ErrorCode::not_found, "no service of this key waits for a process", *key);
-    const Place& place = found->second;
-    if (*type != place.service.type)
-      return unexpected(ErrorCode::type, "is of type `" + place.service.type + "` here, not `" + *type + "`", *key);
-    auto service = rsm::read_service(*model, *key);
-    if (!service) return tl::unexpected(service.error().front());
-    if (rsm::write_service(*service) != rsm::write_service(*place.service.model))
-      return unexpected(ErrorCode::conflict, "has another RSM here: another version of the program?", *key);
-    if (std::ranges::find(places, &place) != places.end()) return taken(*key);
-    if (!places.empty() && place.group != places.front()->group)
+    ASSIGN_OR_RETURN(const std::size_t group, find(*key, *type, *model, claim));
+    if (std::ranges::find(claim.keys, *key) != claim.keys.end()) return taken(*key);
+    if (!claim.keys.empty() && group != claim.group)
       return unexpected(ErrorCode::conflict, "belongs into another process", *key);
-    places.push_back(&place);
+    claim.group = group;
+    claim.keys.push_back(*key);
   }
-  return places;
+  return claim;
+}
+
+// Adds one service to the claim; the group of that.
+Expected<std::size_t> Remotes::find(const std::string& key, const std::string& type, const Value& rsm,
+                                    Claim& claim) const {
+  const auto found = places_.find(key);
+  if (found == places_.end()) {
+    if (!own_) return not_awaited(key);
+    ASSIGN_OR_RETURN(Offer offer, OwnServices::read(key, type, rsm));
+    claim.offers.push_back(std::move(offer));
+    return own_group_;
+  }
+  const Place& place = found->second;
+  if (type != place.service.type)
+    return unexpected(ErrorCode::type, "is of type `" + place.service.type + "` here, not `" + type + "`", key);
+  auto service = rsm::read_service(rsm, key);
+  if (!service) return tl::unexpected(service.error().front());
+  if (rsm::write_service(*service) != rsm::write_service(*place.service.model))
+    return unexpected(ErrorCode::conflict, "has another RSM here: another version of the program?", key);
+  claim.places.push_back(&place);
+  return place.group;
+}
+
+Expected<void> Remotes::check_rights(const Claim& claim, const Owner& owner) const {
+  const std::string& name = names_[claim.group];
+  if (std::ranges::find(owner.groups, name) == owner.groups.end())
+    return unexpected(ErrorCode::rights, "this account may not bring the group `" + name + '`', claim.keys.front());
+  const bool is_listed = !own_accounts_ || owner.account.empty() || own_accounts_->contains(owner.account);
+  if (own_ && claim.group == own_group_ && !is_listed)
+    return unexpected(ErrorCode::rights, "the cell does not let this account bring services", claim.keys.front());
+  return {};
 }
 
 // What the process says is read before the lock is taken: a thread that posts to a group does not wait for that.
-Expected<Remotes::Claim> Remotes::claim(const Value& components, const Value& world,
-                                        const std::vector<std::string>& groups) {
-  Claim claim;
-  ASSIGN_OR_RETURN(claim.places, find(components));
-  if (const std::string& name = names_[claim.places.front()->group]; std::ranges::find(groups, name) == groups.end())
-    return unexpected(ErrorCode::rights, "this account may not bring the group `" + name + '`',
-                      claim.places.front()->service.key);
+Expected<Remotes::Claim> Remotes::claim(const Value& components, const Value& world, const Owner& owner) {
+  ASSIGN_OR_RETURN(Claim claim, find(components));
+  if (auto allowed = check_rights(claim, owner); !allowed) return tl::unexpected(std::move(allowed).error());
   if (!world.is_null()) {
-    claim.remote_world = worlds_[claim.places.front()->group];
+    claim.remote_world = worlds_[claim.group];
     if (!claim.remote_world) return unexpected(ErrorCode::not_found, "these services have no world here", "world");
     ASSIGN_OR_RETURN(claim.world, claim.remote_world->check(world));
   }
   const services::MutexLock lock(mutex_);
-  for (const Place* each : claim.places)
-    if (claimed_.contains(each->service.key)) return taken(each->service.key);
+  for (const std::string& key : claim.keys)
+    if (claimed_.contains(key)) return taken(key);
+  if (!claim.offers.empty())
+    if (auto added = own_->add(claim.offers, owner.account); !added) return tl::unexpected(std::move(added).error());
   if (claim.remote_world && !claimed_worlds_.insert(claim.remote_world).second) return taken("world");
-  for (const Place* each : claim.places) claimed_.insert(each->service.key);
+  claimed_.insert(claim.keys.begin(), claim.keys.end());
   return claim;
 }
 

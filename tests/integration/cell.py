@@ -25,8 +25,9 @@ TAUGHT = next(label for label in NAMES if f"o_t_place_{label}" not in DATABASE) 
 
 
 def copy_cell(folder, files=None, without=()):
-    """Copies the cell to `folder`. `files`: replaced content by file name; `without`: files to leave out."""
-    shutil.copytree(DEMO, folder, dirs_exist_ok=True)
+    """Copies the cell to `folder`. `files`: replaced content by file name; `without`: files to leave out. Without cell.json, so that it
+    has the services for which there are files."""
+    shutil.copytree(DEMO, folder, dirs_exist_ok=True, ignore=shutil.ignore_patterns("cell.json"))
     for name, content in (files or {}).items():
         Path(folder, name).write_text(json.dumps(content))
     for name in without:

@@ -74,8 +74,9 @@ def component_client(server, key):
 
 
 def service(server, key):
-    """The service as GET /services lists it."""
-    return next(s for s in server.get("/services", "services")["services"] if s["key"] == key)
+    """The service as GET /services lists it; one that no process has brought yet: not available."""
+    listed = server.get("/services", "services")["services"]
+    return next((s for s in listed if s["key"] == key), {"key": key, "available": False, "state": ""})
 
 
 def wait_until(condition, timeout=TIMEOUT):

@@ -84,7 +84,7 @@ class ComponentProtocol(unittest.TestCase):
                     client.message()
                 return error["path"], error["code"]
             rsm = service(server, "db")["rsm"]
-            self.assertEqual(refusal(self.hello(server, key="robot")), ("robot", "not_found"))
+            self.assertEqual(refusal(self.hello(server, key="timer")), ("timer", "not_found"))
             self.assertEqual(refusal(self.hello(server, type="oracle")), ("db", "type"))
             self.assertEqual(refusal(self.hello(server, rsm={**rsm, "operations": rsm["operations"][1:]}))[0], "db")
             self.assertEqual(refusal({**self.hello(server), "protocol": 2}), ("protocol", "version"))

@@ -183,7 +183,7 @@ class Unreadable(CommandCase):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        for name in ("scene.json", "parts.json", "database.json"):  # as folders, pipes, and what fails to be read
+        for name in ("cell.json", "scene.json", "parts.json", "database.json"):  # as folders, pipes, and what fails to be read
             for kind in ("folder", "pipe", "broken"):
                 path = Path(cls.folder, f"{kind}-{name}", name)
                 path.parent.mkdir()

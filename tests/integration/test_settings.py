@@ -96,7 +96,7 @@ class Config(Case):
                              (("--port", "80.0"), "--port: out_of_range: "), (("--port", "0x50"), "--port: out_of_range: "),
                              (("--demo", "nowhere"), "--demo: io: `nowhere` cannot be read: No such file or directory"),
                              (("--demo", "config.json"), "--demo: io: `config.json` cannot be read: Not a directory"),
-                             (("--demo", "."), "--demo: not_found: `.` holds neither a cell (scene.json) nor documents"),
+                             (("--demo", "."), "--demo: not_found: `.` holds neither a cell (cell.json, scene.json) nor documents"),
                              (("--demo=",), "--demo: missing: the option needs a folder"),
                              (("--remote", "cell,cell"), "--remote: duplicate: ")):
             status, _, lines = self.serve(*words)

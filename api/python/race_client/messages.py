@@ -201,7 +201,7 @@ Channel: TypeAlias = "str"
 ComparedStep: TypeAlias = "TraceStep | None"
 
 # api/schemas/account.json#/$defs/component_groups
-ComponentGroups: TypeAlias = "list[Literal['cell', 'recognition', 'database', 'display', 'audio', 'local']]"
+ComponentGroups: TypeAlias = "list[Literal['cell', 'recognition', 'database', 'display', 'audio', 'own', 'local']]"
 
 # api/schemas/edit_request.json#/$defs/compound_edit
 CompoundEdit: TypeAlias = (

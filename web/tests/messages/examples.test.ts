@@ -66,7 +66,7 @@ const readers: Readonly<Record<string, (value: unknown) => unknown>> = {
 /** Messages that the pages write, and messages between other programs. */
 const unread = new Set([
   "account_change", "account_create", "login", "password_change", "token_create",
-  "backup", "backups", "boot", "breakpoints", "checkpoint", "component_message", "component_request",
+  "backup", "backups", "boot", "breakpoints", "cell", "checkpoint", "component_message", "component_request",
   "cell_reset", "control_answer", "control_mode", "control_request", "core_confirm_edit", "core_create", "core_load", "core_resume", "core_start", "document_branch", "document_entry", "document_restore", "edit_request",
   "addresses", "pair", "pair_answer", "pairing_create", "pairing_created",
   "service_call", "service_response",

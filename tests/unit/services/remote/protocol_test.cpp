@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr int kKinds = static_cast<int>(Kind::ping) + 1;
+constexpr int kKinds = static_cast<int>(Kind::violation) + 1;
 
 // Each field has a value of its own; a kind keeps those it has.
 Message full(Kind kind) {
@@ -27,6 +27,7 @@ Message full(Kind kind) {
   message.value = Dict{{"code", "not_found"}, {"n", 1}, {"x", 1.0}};
   if (kind == Kind::hello || kind == Kind::refused) message.value = List{Dict{{"key", "db"}}};
   if (kind == Kind::limit_speed) message.value = 0.25;
+  if (kind == Kind::violation) message.value = "the state is `Dark`";
   message.world = Dict{{"scene", 5}};
   message.args = {1, 2.0, "three"};
   message.kwargs = {{"four", nullptr}};
@@ -114,6 +115,20 @@ TEST(Protocol, ALimitOfTheSpeedIsANumberOrNone) {
   EXPECT_THAT(text_error(limit("true"), Reader::process), HasSubstr("tool_speed: type"));
   EXPECT_THAT(text_error(R"({"type": "limit_speed", "key": "robot", "time": 1})", Reader::process),
               HasSubstr("tool_speed: missing"));
+}
+
+TEST(Protocol, AHelloMayAskForViolations) {
+  const std::string hello = R"({"type": "hello", "protocol": 1, "components": [])";
+  EXPECT_FALSE(decode({hello + "}", false}, Reader::server).value().on);
+  EXPECT_TRUE(decode({hello + R"(, "violations": true})", false}, Reader::server).value().on);
+  EXPECT_THAT(text_error(hello + R"(, "violations": 1})"), HasSubstr("violations: type"));
+}
+
+TEST(Protocol, AViolationIsAText) {
+  EXPECT_THAT(text_error(R"({"type": "violation", "key": "a", "rule": "put", "message": 5, "call": 0, "operation": "",
+                             "time": 1})",
+                         Reader::process),
+              HasSubstr("message: type"));
 }
 
 TEST(Protocol, BytesThatAreShorterThanTheySayAreRefused) {
