@@ -27,7 +27,8 @@ struct Command {
   std::function<int()> (*declare)(Arguments& arguments);
 };
 
-extern const Command kAccount, kBackup, kRestore, kCore, kBoot, kLogin, kLogout, kModels, kPull, kPush;
+extern const Command kAccount, kBackup, kRestore, kCore, kBoot, kLogin, kLogout, kModels, kPull, kPush, kBundle,
+    kInstall;
 extern const Command kStart, kStop, kServices, kCall, kTrace, kLog, kCompletion, kMcp;
 extern const Command kServe, kService, kRun, kRuns, kReplay, kDerive, kCheck, kTranslate, kFmt, kMan;
 

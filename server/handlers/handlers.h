@@ -90,6 +90,8 @@ Handled get_revision(const Request& request, Documents& documents);
 Handled restore_document(const Request& request, Editing& editing);
 Handled branch_document(const Request& request, Editing& editing);
 Handled get_document_native(const Request& request, Documents& documents);
+Handled get_document_bundle(const Request& request, Documents& documents, Cell& cell);
+Handled install_bundle(const Request& request, Editing& editing, Cell& cell);
 Handled get_document_breakpoints(const Request& request, DocumentBreakpoints& breakpoints);
 Handled put_document_breakpoints(const Request& request, DocumentBreakpoints& breakpoints);
 Handled propose_document(const Request& request, Proposals& proposals, Proposing& proposing);

@@ -77,6 +77,8 @@ constexpr std::array kRoutes = {
     Route{"GET", "/api/v1/documents/{name}/native", call<get_document_native>},
     Route{"GET", "/api/v1/documents/{name}/breakpoints", call<get_document_breakpoints>, kNoBody, "author"},
     Route{"PUT", "/api/v1/documents/{name}/breakpoints", call<put_document_breakpoints>, kBody, "author"},
+    Route{"GET", "/api/v1/documents/{name}/bundle", call<get_document_bundle>},
+    Route{"POST", "/api/v1/bundles", call<install_bundle>, kBody, "as author message", kCreates},
     Route{"POST", "/api/v1/documents/{name}/proposals", call<propose_document>, kBody, "author", kCreates},
     Route{"GET", "/api/v1/proposals", call<list_proposals>, kNoBody, "document status after limit"},
     Route{"GET", "/api/v1/proposals/{id}", call<get_proposal>},

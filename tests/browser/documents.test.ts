@@ -160,6 +160,22 @@ describe("the documents", () => {
     expect(await page.getByRole("list", { name: "Uploads" }).count()).toBe(0);
   });
 
+  it("come as bundles, which say what they lack, and go as such", async () => {
+    const { page } = fixture;
+    const bundle = { bundle: 1, name: "flipping", document: { rcm: 1, services: { lamp: "lamp" }, root: { state: "Flip", entry: "svc.lamp.flip()" } } };
+    await panel().locator("input[type=file]").setInputFiles([{ name: "flipping.bundle.json", mimeType: "application/json", buffer: Buffer.from(JSON.stringify(bundle)) }]);
+    await uploaded("flipping.bundle.json").getByText("Stored as flipping, revision 1, lacks 1 service").waitFor();
+    expect(await page.getByRole("list", { name: "What flipping lacks" }).innerText()).toBe("lamp there is no service of this key here");
+    expect(await findings(page)).toEqual([]);
+    await fixture.screenshot("documents-bundle");
+    const saved = page.waitForEvent("download");
+    await row("flipping").getByRole("button", { name: "Bundle" }).click();
+    const download = await saved;
+    expect(download.suggestedFilename()).toBe("flipping.bundle.json");
+    expect(JSON.parse(await textOf(download))).toMatchObject({ bundle: 1, name: "flipping", document: { root: { state: "Flip" } }, services: { lamp: { type: "lamp" } } });
+    await panel().getByRole("button", { name: "Close flipping.bundle.json" }).click();
+  });
+
   it("are taken from files that are dropped anywhere; of a taken name, as another or as the next revision", async () => {
     const { page, send } = fixture;
     await page.keyboard.press("Escape");

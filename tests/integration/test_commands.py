@@ -151,7 +151,7 @@ class Run(unittest.TestCase):
 
 class Help(unittest.TestCase):
     COMMANDS = ("serve", "service", "run", "runs", "replay", "backup", "restore", "core", "boot", "account", "login", "logout",
-                "models", "pull", "push", "start", "stop", "services", "call", "trace", "log", "mcp", "completion",
+                "models", "pull", "push", "bundle", "install", "start", "stop", "services", "call", "trace", "log", "mcp", "completion",
                 "derive", "check", "translate", "fmt", "man")
 
     def test_overview_names_each_command_with_its_options(self):

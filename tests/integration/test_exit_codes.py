@@ -61,6 +61,14 @@ TABLE = (
     (0, ("push", "--new", "fine.rcm.json", "--server", "SERVER")), (1, ("push", "faulty.rcm.json", "--server", "SERVER")),
     (0, ("push", "--new", "faulty.rcm.json", "--server", "SERVER")),
     (2, ("push", "no.json", "--server", "SERVER")), (2, ("push", "fine.rcm.json", *NOWHERE)), (2, ("push",)),
+    (0, ("bundle", "fine", "--server", "SERVER")), (2, ("bundle", "fine", "--server", "SERVER")),
+    (0, ("bundle", "fine", "--force", "--server", "SERVER")), (1, ("bundle", "none", "--server", "SERVER")),
+    (2, ("bundle", "a/b", "--server", "SERVER")), (2, ("bundle", "fine", *NOWHERE)), (2, ("bundle",)),
+    (0, ("install", "fine.bundle.json", "--as", "again", "--server", "SERVER")),
+    (1, ("install", "fine.bundle.json", "--as", "again", "--server", "SERVER")),
+    (0, ("install", "fine.bundle.json", "--as", "again", "--replace", "--server", "SERVER")),
+    (1, ("install", "fine.rcm.json", "--server", "SERVER")), (2, ("install", "no.json", "--server", "SERVER")),
+    (2, ("install", "none.json", "--server", "SERVER")), (2, ("install", "fine.rcm.json", *NOWHERE)), (2, ("install",)),
     (0, ("start", "fine", "--server", "SERVER")), (0, ("start", "fine", "--wait", "--server", "SERVER")),
     (1, ("start", "faulty", "--wait", "--server", "SERVER")), (1, ("start", "none", "--server", "SERVER")), (2, ("start", "a", *NOWHERE)),
     (2, ("start", "a", "--arguments", "[]", "--server", "SERVER")), (1, ("stop", "9", "--server", "SERVER")), (2, ("stop", "9", *NOWHERE)),
@@ -76,7 +84,7 @@ TABLE = (
     (2, ("serve", "--remote", "oven")), (2, ("serve", "--data", "/proc/no")), (2, ("serve", "--operator", "no.json")),
 )
 COMMANDS = ("serve", "service", "run", "runs", "replay", "backup", "restore", "core", "boot", "account", "login", "logout",
-            "models", "pull", "push", "start", "stop", "services", "call", "trace", "log", "completion", "mcp", "derive",
+            "models", "pull", "push", "bundle", "install", "start", "stop", "services", "call", "trace", "log", "completion", "mcp", "derive",
             "check", "translate", "fmt", "man")
 # What a command needs at least.
 WORDS = {"service": ("database", *NOWHERE), "run": ("fine.rcm.json",), "replay": ("no.json",), "runs": ("--data", "none"),
@@ -84,7 +92,8 @@ WORDS = {"service": ("database", *NOWHERE), "run": ("fine.rcm.json",), "replay":
          "account": ("list", "--data", "accounts"), "derive": ("fine.rcm.json", "script.json"),
          "check": ("fine.rcm.json",), "translate": ("fine.rcm.json",), "fmt": ("fine.rcm.json",),
          "login": ("ada", *NOWHERE), "logout": NOWHERE,
-         "models": NOWHERE, "pull": NOWHERE, "push": ("fine.rcm.json", *NOWHERE), "start": ("a", *NOWHERE), "stop": ("1", *NOWHERE),
+         "models": NOWHERE, "pull": NOWHERE, "push": ("fine.rcm.json", *NOWHERE), "bundle": ("fine", *NOWHERE),
+         "install": ("fine.rcm.json", *NOWHERE), "start": ("a", *NOWHERE), "stop": ("1", *NOWHERE),
          "services": NOWHERE, "call": ("timer.wait", *NOWHERE), "trace": ("1", *NOWHERE), "log": NOWHERE,
          "completion": ("fish",)}
 

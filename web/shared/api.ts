@@ -10,6 +10,7 @@ import type {
   AccountChange,
   AccountCreate,
   Breakpoint,
+  BundleInstalled,
   Core,
   DocumentEntry,
   DocumentRemoved,
@@ -112,6 +113,11 @@ export function createApi(fetcher: typeof fetch) {
     /** Stores the content as it is. */
     putDocument: (name: string, content: Blob | string, { onto, draft = false, author }: Storing): Promise<DocumentEntry> =>
       send(calls.putDocument(name, new RawJson(content), { draft, author, ifMatch: tagOf(onto), ifNoneMatch: onto === undefined ? "*" : undefined })),
+    /** As a file for another server. */
+    bundleText: (name: string): Promise<string> => requestText(transport, calls.getDocumentBundle(name)),
+    /** Stores the document of a bundle, and says what it lacks. */
+    installBundle: (name: string, content: Blob, { onto, author }: Storing): Promise<BundleInstalled> =>
+      send(calls.installBundle(new RawJson(content), { as: name, author, ifMatch: tagOf(onto) })),
     /** `revision`: of the document that is branched; nothing: the last one. */
     branchDocument: (name: string, as: string, author: string, revision?: number): Promise<DocumentEntry> =>
       send(calls.branchDocument(name, { as, author, ...(revision !== undefined && { revision }) })),

@@ -151,6 +151,27 @@ class Breakpoints(TypedDict):
     breakpoints: list[Breakpoint]
 
 
+class Bundle(TypedDict):
+    """api/schemas/bundle.json"""
+    bundle: Literal[1]
+    name: str
+    document: Document
+    services: NotRequired[dict[str, BundleServicesValue]]
+
+
+class BundleInstalled(TypedDict):
+    """api/schemas/bundle_installed.json"""
+    name: str
+    revision: int
+    lacking: list[ServerError]
+
+
+class BundleServicesValue(TypedDict):
+    """a part of api/schemas/bundle.json"""
+    type: NotRequired[str]
+    rsm: NotRequired[dict[str, Json]]
+
+
 class Call(TypedDict):
     """api/schemas/call.json"""
     service: str

@@ -8,7 +8,7 @@ import { useIsMaking } from "../../page/starting";
 import { useRefusal } from "../login/rights";
 import { CodeText } from "../panels/CodeText";
 import { ProposalsOfDocument } from "../proposals/ProposalsButton";
-import { download, duplicate, edit, editWithHistory, makeRun, remove, showDocuments } from "./actions";
+import { download, downloadBundle, duplicate, edit, editWithHistory, makeRun, remove, showDocuments } from "./actions";
 import { NameForm } from "./NameForm";
 import { useAttempt } from "./useAttempt";
 
@@ -57,6 +57,9 @@ export function DocumentRow({ document, taken, offline }: Props) {
         </button>
         <button type="button" disabled={disabled} onClick={() => void attempt(() => download(name))}>
           Download
+        </button>
+        <button type="button" disabled={disabled || errors > 0} title={errors > 0 ? "A draft is no bundle" : "A file for another server, with the interfaces of the services that it needs"} onClick={() => void attempt(() => downloadBundle(name))}>
+          Bundle
         </button>
         <button type="button" disabled={disabled || mayDelete !== undefined} title={mayDelete} aria-expanded={asked === "delete"} onClick={() => ask("delete")}>
           Delete

@@ -1,5 +1,6 @@
 // A file on its way to the server: what became of it, and what can be done if it could not be stored.
 import type { DocumentSummary } from "../../generated/messages";
+import { counted } from "../../shared/counted";
 import { freeDocumentName } from "../../shared/documents/names";
 import type { Upload } from "../../shared/documents/uploads";
 import { countErrors, errorsText } from "../../shared/run/errorsText";
@@ -35,6 +36,15 @@ export function UploadRow({ upload, documents, taken, offline }: Props) {
         )}
       </div>
       {status.kind === "taken" && <Taken upload={upload} documents={documents} taken={taken} offline={offline} />}
+      {status.kind === "stored" && status.lacking !== undefined && status.lacking.length > 0 && (
+        <ul className="upload-lacking" aria-label={`What ${target.name} lacks`}>
+          {status.lacking.map(({ path, message }) => (
+            <li key={path}>
+              <code>{path}</code> <CodeText text={message} />
+            </li>
+          ))}
+        </ul>
+      )}
       {status.kind === "refused" && (
         <>
           <ul className="upload-errors" aria-label={`Errors of ${file}`}>
@@ -71,12 +81,14 @@ function Taken({ upload: { number, target }, documents, taken, offline }: Props)
   );
 }
 
+const lackingText = (lacking: readonly unknown[] = []): string => (lacking.length === 0 ? "" : `, lacks ${counted(lacking.length, "service")}`);
+
 function statusText({ target: { name, onto }, status }: Upload): string {
   switch (status.kind) {
     case "sending":
       return `Storing it as ${name}…`;
     case "stored":
-      return `Stored as ${name}, revision ${status.revision}${status.errors === 0 ? "" : `, a draft with ${errorsText(status.errors)}`}`;
+      return `Stored as ${name}, revision ${status.revision}${status.errors === 0 ? "" : `, a draft with ${errorsText(status.errors)}`}${lackingText(status.lacking)}`;
     case "taken":
       return onto === undefined ? `There is a document ${name}.` : `${name} was changed meanwhile.`;
     case "refused":

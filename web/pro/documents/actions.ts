@@ -1,7 +1,7 @@
 // What is done with documents as a whole. Each action loads the list anew.
 import type { Document } from "../../generated/messages";
 import { fieldText } from "../../shared/documents/entryText";
-import { fileOf, newDocumentText } from "../../shared/documents/names";
+import { bundleFileOf, fileOf, newDocumentText } from "../../shared/documents/names";
 import { api, loadDocuments, view } from "../client";
 import { author } from "../edit/author";
 import { closeDocument, editing, openDocument } from "../edit/editing";
@@ -69,4 +69,9 @@ export async function remove(name: string, revision: number): Promise<void> {
 export async function download(name: string): Promise<void> {
   const text = fieldText(await api.documentText(name), "document") ?? "";
   saveText(fileOf(name), "application/json", text);
+}
+
+/** The same with the interfaces of the services that it needs, for another server. */
+export async function downloadBundle(name: string): Promise<void> {
+  saveText(bundleFileOf(name), "application/json", await api.bundleText(name));
 }

@@ -1,5 +1,5 @@
 // The files that are on their way to the server.
-import { applyUpload, failed, type Target, type Upload, type UploadEvent } from "../../shared/documents/uploads";
+import { applyUpload, failed, type Target, type Upload, type UploadEvent, type UploadStatus } from "../../shared/documents/uploads";
 import { api, loadDocuments } from "../client";
 import { author } from "../edit/author";
 import { createStore, useSelected } from "../../page/store";
@@ -38,12 +38,19 @@ export const forgetStored = (): void => uploads.dispatch({ type: "seen" });
 async function store(number: number, target: Target): Promise<void> {
   const file = files.get(number);
   if (file === undefined) return;
-  const { name, ...how } = target;
   try {
-    const { revision, errors } = await api.putDocument(name, file, { ...how, author: author() });
-    uploads.dispatch({ type: "answered", number, status: { kind: "stored", revision, errors: errors.length } });
+    uploads.dispatch({ type: "answered", number, status: await stored(file, target) });
   } catch (error) {
     uploads.dispatch({ type: "answered", number, status: failed(target, error) });
   }
   await loadDocuments();
+}
+
+async function stored(file: File, { name, bundle, ...how }: Target): Promise<UploadStatus> {
+  if (bundle === true) {
+    const { revision, lacking } = await api.installBundle(name, file, { ...how, author: author() });
+    return { kind: "stored", revision, errors: 0, lacking };
+  }
+  const { revision, errors } = await api.putDocument(name, file, { ...how, author: author() });
+  return { kind: "stored", revision, errors: errors.length };
 }

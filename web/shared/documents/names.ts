@@ -7,6 +7,10 @@ const kName = /^[A-Za-z0-9_-]+$/;
 /** What a file of a document is called. */
 export const fileOf = (name: string): string => `${name}.rcm.json`;
 
+/** What a file of a bundle is called: a document with the interfaces of its services. */
+export const bundleFileOf = (name: string): string => `${name}.bundle.json`;
+export const isBundleFile = (file: string): boolean => /\.bundle\.json$/i.test(file);
+
 /** Why there can be no new document of this name, of those that are `taken`; nothing if there can. */
 export function nameRefusal(name: string, taken: ReadonlySet<string>): string | undefined {
   if (name === "") return "A document needs a name.";
@@ -24,7 +28,7 @@ export function freeDocumentName(wish: string, taken: ReadonlySet<string>): stri
 
 /** The name that a file suggests: that of the file, without what a name cannot have. */
 export function nameOfFile(file: string): string {
-  const plain = file.replace(/(\.rcm)?\.json$/i, "").replace(/[^A-Za-z0-9_-]+/g, "_").slice(0, kLongest);
+  const plain = file.replace(/(\.rcm|\.bundle)?\.json$/i, "").replace(/[^A-Za-z0-9_-]+/g, "_").slice(0, kLongest);
   return plain === "" ? "document" : plain;
 }
 

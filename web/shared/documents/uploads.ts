@@ -2,7 +2,7 @@
 import type { ServerError } from "../../generated/messages";
 import { assertNever } from "../assertNever";
 import { isRefusal } from "../api";
-import { nameOfFile } from "./names";
+import { isBundleFile, nameOfFile } from "./names";
 import { messageOf } from "../messageOf";
 
 /** The server takes no larger body [byte]. */
@@ -15,11 +15,14 @@ export interface Target {
   readonly onto?: number;
   /** It is stored although it has errors. */
   readonly draft?: true;
+  /** It is a bundle, which is stored without errors or not at all. */
+  readonly bundle?: true;
 }
 
 export type UploadStatus =
   | { readonly kind: "sending" }
-  | { readonly kind: "stored"; readonly revision: number; readonly errors: number }
+  /** `lacking`: what services lack that it needs, by their keys. */
+  | { readonly kind: "stored"; readonly revision: number; readonly errors: number; readonly lacking?: readonly ServerError[] }
   /** There is such a document, or another revision of it than `onto`. */
   | { readonly kind: "taken" }
   /** `draft`: it can be stored with these errors; `again`: the same may be stored another time; `never`: it cannot. */
@@ -52,7 +55,7 @@ export function applyUpload(uploads: readonly Upload[], event: UploadEvent): rea
   switch (event.type) {
     case "added": {
       const status: UploadStatus = event.size > kMostBytes ? tooLarge(event.size) : { kind: "sending" };
-      return [...uploads, { number: event.number, file: event.file, target: { name: nameOfFile(event.file) }, status }];
+      return [...uploads, { number: event.number, file: event.file, target: { name: nameOfFile(event.file), ...(isBundleFile(event.file) && { bundle: true }) }, status }];
     }
     case "sent":
       return change(event.number, { target: event.target, status: { kind: "sending" } });
@@ -75,6 +78,6 @@ export function failed(target: Target, error: unknown): UploadStatus {
   }
   const { status, errors, moreErrors } = error;
   if (status === 412 || status === 409) return { kind: "taken" };
-  const next = status >= 500 ? "again" : status === 422 && target.draft === undefined ? "draft" : "never";
+  const next = status >= 500 ? "again" : status === 422 && target.draft === undefined && target.bundle === undefined ? "draft" : "never";
   return { kind: "refused", errors, ...(moreErrors && { more: true }), next };
 }

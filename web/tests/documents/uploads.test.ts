@@ -18,6 +18,11 @@ describe("a file that is uploaded", () => {
     expect(added(kMostBytes)[0]?.status.kind).toBe("sending");
     expect(added(kMostBytes + 1024 * 1024)[0]?.status).toMatchObject({ kind: "refused", errors: [{ code: "too_large", message: "the file has 5 MiB; the server takes at most 4 MiB" }], next: "never" });
   });
+  it("is a bundle by its name, and no draft if it has errors", () => {
+    const bundle = applyUpload([], { type: "added", number: 1, file: "pick.bundle.json", size: 10 })[0]?.target;
+    expect(bundle).toEqual({ name: "pick", bundle: true });
+    expect(failed({ name: "pick", bundle: true }, new RaceError(422, [error], { moreErrors: false }))).toMatchObject({ next: "never" });
+  });
   it("can be sent under another name, and others are as they were", () => {
     const two = applyUpload(added(), { type: "added", number: 2, file: "b.json", size: 1 });
     const taken = applyUpload(two, { type: "answered", number: 1, status: { kind: "taken" } });

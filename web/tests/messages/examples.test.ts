@@ -30,6 +30,8 @@ const readers: Readonly<Record<string, (value: unknown) => unknown>> = {
   token_created: by(schema.tokenCreated),
   token_removed: by(schema.tokenRemoved),
   accepted_edit: by(schema.acceptedEdit),
+  bundle: by(schema.bundle),
+  bundle_installed: by(schema.bundleInstalled),
   cell_pose: by(schema.cellPose),
   control: by(schema.control),
   control_message: by(schema.controlMessage),

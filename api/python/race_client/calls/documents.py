@@ -1,6 +1,6 @@
 """Routes of api/openapi.yaml: documents. Made by generate/main.py. The request filter of the server may also refuse each."""
 from ..call import Call, segment
-from ..messages import (AcceptedEdit, Document, DocumentBranch, DocumentBreakpoints, DocumentEntry, DocumentRemoved,
+from ..messages import (AcceptedEdit, Bundle, Document, DocumentBranch, DocumentBreakpoints, DocumentEntry, DocumentRemoved,
                         DocumentRestore, Documents, EditRequest, Native, Proposal, ProposalRequest, Revisions)
 
 
@@ -335,6 +335,29 @@ def get_document_native(name: str) -> Call[Native]:
     interrupted. Ask again when it works.
     """
     return Call("GET", f"/api/v1/documents/{segment(name)}/native")
+
+
+def get_document_bundle(name: str) -> Call[Bundle]:
+    """The document as a bundle, with the interfaces of the services that it needs, as they are here.
+
+    What it calls by `svc[...]` is not known. POST bundles installs it elsewhere.
+
+    name: Of a document.
+
+    400: An earlier version of the server stored what is no JSON within today's limits (`json`, `too_deep`).
+
+    404: There is nothing of this name or number (`not_found`).
+
+    422: It is a draft; every violation.
+
+    500: What is stored is damaged (`corrupt`); the error names the part.
+
+    503: The store cannot be read or written (`io`), or others change the same document and take long (`unavailable`): ask again.
+
+    507: The disk is full, fails or hangs (`storage`). Nothing is changed, or it is not known yet what is stored: then the run is
+    interrupted. Ask again when it works.
+    """
+    return Call("GET", f"/api/v1/documents/{segment(name)}/bundle")
 
 
 def propose_document(name: str, body: ProposalRequest, *, author: str | None = None,

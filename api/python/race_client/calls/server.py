@@ -1,7 +1,7 @@
 """Routes of api/openapi.yaml: server. Made by generate/main.py. The request filter of the server may also refuse each."""
 from ..call import Call, segment
-from ..messages import (Addresses, Audit, Boot, Empty, Health, Login, LoginAnswer, PairingCreate, PairingCreated, Rules, Task,
-                        Ticket)
+from ..messages import (Addresses, Audit, Boot, Bundle, BundleInstalled, Empty, Health, Login, LoginAnswer, PairingCreate,
+                        PairingCreated, Rules, Task, Ticket)
 
 
 def get_health() -> Call[Health]:
@@ -127,6 +127,45 @@ def get_audit(*, before: int | None = None, limit: int | None = None) -> Call[Au
 def get_rules() -> Call[Rules]:
     """The rules of the semantics, in their order; every derivation names rules of this list."""
     return Call("GET", "/api/v1/rules")
+
+
+def install_bundle(body: Bundle, *, as_: str | None = None, author: str | None = None, message: str | None = None,
+                   if_match: str | None = None, idempotency_key: str | None = None) -> Call[BundleInstalled]:
+    """Stores the document of a bundle, and says which services it lacks here. Refused whole if anything in it is wrong.
+
+    as_: The name of the document, if it is not that of the bundle.
+
+    message: Why.
+
+    if_match: The strong tag of a revision: nothing is changed unless that is the last one.
+
+    idempotency_key: Chosen by the client, another one for each request. A request that is sent again with its key is answered as
+    the first time, with `Idempotency-Replayed: true`, and creates nothing more: also if the first answer was lost. Refused
+    requests may be sent again. Another request with the key is refused with 422, one that comes while the first is under way with
+    409 (`conflict`). The last 1000 answers are kept, while the server runs.
+
+    400: The body is no JSON or out of its limits (`json`, `too_deep`), or a parameter is none (`out_of_range`); or the document
+    with its ids would be too deep to be read again (`too_deep`).
+
+    409: `conflict`: there is a document of this name, and no If-Match.
+
+    412: `conflict`: the last revision is not that of If-Match, or there is a document although If-None-Match says that there is
+    none.
+
+    413: It has more than 100 services; or with its links the document has too many states, or its text with the ids would be too
+    large to be read again; the author or message is too long; there are 10000 documents or 100000 revisions of it (`too_large`).
+
+    422: Every violation of the request, or of the document that it brings or names.
+
+    500: What is stored is damaged (`corrupt`); the error names the part.
+
+    503: The store cannot be read or written (`io`), or others change the same document and take long (`unavailable`): ask again.
+
+    507: The disk is full, fails or hangs (`storage`). Nothing is changed, or it is not known yet what is stored: then the run is
+    interrupted. Ask again when it works.
+    """
+    return Call("POST", "/api/v1/bundles", query={"as": as_, "author": author, "message": message},
+                headers={"If-Match": if_match, "Idempotency-Key": idempotency_key}, body=body)
 
 
 def get_task(id: str) -> Call[Task]:

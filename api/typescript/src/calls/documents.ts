@@ -1,6 +1,6 @@
 // Routes of api/openapi.yaml: documents. Made by api/python/generate/main.py. The request filter may also refuse each.
 import { segment, type Body, type Call } from "../call.js";
-import type { AcceptedEdit, Document, DocumentBranch, DocumentBreakpoints, DocumentEntry, DocumentRemoved, DocumentRestore, Documents, EditRequest, Native, Proposal, ProposalRequest, Revisions } from "../generated/messages.js";
+import type { AcceptedEdit, Bundle, Document, DocumentBranch, DocumentBreakpoints, DocumentEntry, DocumentRemoved, DocumentRestore, Documents, EditRequest, Native, Proposal, ProposalRequest, Revisions } from "../generated/messages.js";
 import * as schema from "../generated/validators.js";
 
 /**
@@ -411,6 +411,32 @@ export const getDocumentNative = (name: string): Call<Native> => ({
   method: "GET",
   path: `/api/v1/documents/${segment(name)}/native`,
   answer: schema.native,
+});
+
+/**
+ * The document as a bundle, with the interfaces of the services that it needs, as they are here.
+ *
+ * What it calls by `svc[...]` is not known. POST bundles installs it elsewhere.
+ *
+ * name: Of a document.
+ *
+ * 400: An earlier version of the server stored what is no JSON within today's limits (`json`, `too_deep`).
+ *
+ * 404: There is nothing of this name or number (`not_found`).
+ *
+ * 422: It is a draft; every violation.
+ *
+ * 500: What is stored is damaged (`corrupt`); the error names the part.
+ *
+ * 503: The store cannot be read or written (`io`), or others change the same document and take long (`unavailable`): ask again.
+ *
+ * 507: The disk is full, fails or hangs (`storage`). Nothing is changed, or it is not known yet what is stored: then the run is
+ * interrupted. Ask again when it works.
+ */
+export const getDocumentBundle = (name: string): Call<Bundle> => ({
+  method: "GET",
+  path: `/api/v1/documents/${segment(name)}/bundle`,
+  answer: schema.bundle,
 });
 
 /**
