@@ -38,14 +38,22 @@ function relinked(state: ExactObject, names: ReadonlyMap<string, string>): Exact
 
 export type Copied = { readonly operations: readonly Exact<Operation>[]; readonly link: string } | { readonly reason: string };
 
-/** What adds the services that a state needs to those of the document; or why they cannot be there. */
-function addServices(target: Tree, { tree }: SkillDocument, id: string): readonly Exact<Operation>[] | string {
-  const [here, there] = [declaredServices(target), declaredServices(tree)];
-  const operations: Exact<Operation>[] = [];
+/** What adds a service to those of the document, if it is not there yet; or why it cannot be there. */
+export function addService(target: Tree, key: string, type: string): readonly Operation[] | string {
+  const own = declaredServices(target)[key];
+  if (own === undefined) return [{ op: "set", id: "", field: "services", key, value: type }];
+  return own === type ? [] : `${serviceText(key)} is another one here: \`${own}\`, not \`${type}\``;
+}
+
+/** The same for the services that a state needs. */
+function addServices(target: Tree, { tree }: SkillDocument, id: string): readonly Operation[] | string {
+  const types = declaredServices(tree);
+  const operations: Operation[] = [];
   for (const key of servicesOf(tree, id)) {
-    const [own, type] = [here[key], there[key]];
-    if (own !== undefined && type !== undefined && own !== type) return `${serviceText(key)} is another one here: \`${own}\`, not \`${type}\``;
-    if (own === undefined && type !== undefined) operations.push({ op: "set", id: "", field: "services", key, value: type });
+    const type = types[key];
+    const added = type === undefined ? [] : addService(target, key, type);
+    if (typeof added === "string") return added;
+    operations.push(...added);
   }
   return operations;
 }

@@ -90,7 +90,14 @@ export function fieldOf(parameter: SkillParameter, value?: JsonValue): Field {
   if (type === "int" || type === "number") return numberField(parameter);
   if (type === "string") return { kind: "text" };
   if (isTexts(type)) return { kind: "texts" };
+  if (isObject(type) && type["optional"] !== undefined) return fieldOfOptional(parameter, type["optional"]);
   return type === undefined || type === "any" ? fieldOfValue(parameter, value) : { kind: "other" };
+}
+
+/** Yes, no and nothing are more than a toggle says. */
+function fieldOfOptional(parameter: SkillParameter, type: JsonValue): Field {
+  const field = fieldOf({ ...parameter, type });
+  return field.kind === "toggle" ? { kind: "other" } : field;
 }
 
 function fieldOfValue(parameter: SkillParameter, value: JsonValue | undefined): Field {

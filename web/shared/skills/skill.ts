@@ -2,7 +2,7 @@
 import { nameOfElement } from "../edit/commands/command";
 import { elementOf, type Tree } from "../edit/tree";
 import { entryOf, isObject, type JsonObject, type JsonValue } from "../json";
-import { declaredIn, mergedMeta, metaOf, textOf, type Declared } from "./declared";
+import { declaredIn, linkedState, mergedMeta, metaOf, textOf, type Declared } from "./declared";
 
 export const kCategories = ["motion", "gripper", "vision", "people", "flow"] as const;
 export type Category = (typeof kCategories)[number];
@@ -120,8 +120,7 @@ const plainText = (text: string | undefined): string | undefined => text?.replac
 
 function docOf(tree: Tree, id: string): string | undefined {
   const { fields } = elementOf(tree, id);
-  const link = entryOf(fields, "link");
-  const linked = tree.library.find((each) => nameOfElement(tree, each) === link);
+  const linked = linkedState(tree, id);
   return plainText(textOf(entryOf(fields, "doc")) ?? (linked === undefined ? undefined : textOf(entryOf(elementOf(tree, linked).fields, "doc"))));
 }
 

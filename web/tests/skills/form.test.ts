@@ -42,6 +42,10 @@ test.each<[Partial<SkillParameter>, string]>([
   [{ type: { enum: ["a", "b"] } }, "choice"],
   [{ type: "pose" }, "other"],
   [{ type: { record: { x: "number" } } }, "other"],
+  [{ type: { optional: "number" }, min: 0, max: 1 }, "slider"],
+  [{ type: { optional: { enum: ["a", "b"] } } }, "choice"],
+  [{ type: { optional: "bool" } }, "other"],
+  [{ type: { optional: "pose" } }, "other"],
   [{}, "other"],
 ])("%j is entered as %s", (about, kind) => {
   expect(fieldOf(parameter(about)).kind).toBe(kind);

@@ -1,18 +1,19 @@
 // New states, barriers, links to library states, ports and library states.
 import type { Operation } from "../apply";
+import type { ExactObject } from "../clipboard/json";
+import type { Exact } from "../exact";
 import { elementOf, listOf, type Tree } from "../tree";
-import type { JsonObject } from "../../json";
 import { freeNameIn, nameOfElement, type Command, type NewId } from "./command";
 import type { PlaceOrReason } from "./place";
 
 const meta = (id: string): { readonly meta: { readonly id: string } } => ({ meta: { id } });
 
-/** Adds the child `node`; the first state of a composite becomes its `first`. */
-function addChild(tree: Tree, place: PlaceOrReason, id: string, wish: string, node: (name: string) => JsonObject, isState: boolean): Command {
+/** Adds the child `node` under the name `wish`, or one like it that is free; the first state of a composite becomes its `first`. */
+export function addChild(tree: Tree, place: PlaceOrReason, id: string, wish: string, node: (name: string) => ExactObject, isState: boolean): Command {
   if ("reason" in place) return place;
   const { parent, after } = place;
   const name = freeNameIn(tree, parent, "children", wish);
-  const insert: Operation = { op: "insert", parent, list: "children", ...(after !== undefined && { after }), node: { ...node(name), ...meta(id) } };
+  const insert: Exact<Operation> = { op: "insert", parent, list: "children", ...(after !== undefined && { after }), node: { ...node(name), ...meta(id) } };
   const isFirst = isState && !listOf(tree, parent, "children").some((child) => elementOf(tree, child).kind === "state");
   return { change: { operations: isFirst ? [insert, { op: "set", id: parent, field: "first", value: name }] : [insert] }, select: id };
 }
