@@ -7,6 +7,7 @@ import { readExact, type ExactJson } from "../shared/edit/exact";
 import type { EditSession, Notice } from "../shared/edit/session";
 import type { Tree } from "../shared/edit/tree";
 import { newId } from "../shared/newId";
+import { madeDocuments } from "../shared/skills/serviceSkills";
 import type { Supplies } from "../shared/timeline/changes/draft";
 import { api, listenToStream, refusalNow, session, watchApplication } from "./client";
 import { author } from "./own";
@@ -110,7 +111,7 @@ export function perform(make: (tree: Tree, supplies: Supplies) => Command): stri
   const tree = treeNow();
   const refusal = refusalNow("edit");
   if (tree === undefined || open === undefined) return undefined;
-  const command = refusal === undefined ? make(tree, { newId, documents: skillDocuments() }) : { reason: refusal };
+  const command = refusal === undefined ? make(tree, { newId, documents: [...skillDocuments(), ...madeDocuments(session.get().services)] }) : { reason: refusal };
   if ("reason" in command) {
     tell(texts.frame.notDone(command.reason));
     return undefined;

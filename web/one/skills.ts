@@ -35,6 +35,11 @@ store.listen(() => {
 export const skillDocuments = (): readonly SkillDocument[] => listed;
 export const useSkillDocuments = (): readonly SkillDocument[] => useSelected(store, skillDocuments);
 
+const loaded = createStore<boolean, boolean>(false, (_, next) => next);
+
+/** Whether all documents have been looked through once. */
+export const useAreSkillsLoaded = (): boolean => useSelected(loaded, (all) => all);
+
 /** What all documents name. */
 export const useNamedElsewhere = (): readonly Named[] => useSelected(store, () => named);
 
@@ -59,9 +64,11 @@ async function loadListed(): Promise<void> {
   if (kept.size !== store.get().size) store.dispatch(kept);
   for (const { name, revision } of wanted) {
     if (store.get().get(name)?.revision === revision) continue;
-    const loaded = await load(name).catch(nothingOf);
-    if (loaded !== undefined) store.dispatch(new Map([...store.get(), [name, { revision, ...loaded }]]));
+    const now = await load(name).catch(nothingOf);
+    if (now !== undefined) store.dispatch(new Map([...store.get(), [name, { revision, ...now }]]));
   }
+  // An application that is open is a document; without any, their list has not come yet.
+  if (wanted.length > 0 && wanted.every(({ name }) => store.get().has(name))) loaded.dispatch(true);
 }
 
 async function loadAll(): Promise<void> {

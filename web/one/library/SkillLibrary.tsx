@@ -1,14 +1,15 @@
-// The skills, by category: a press adds one behind what is selected, and it can be dragged to its place.
+// The skills, by category, then what services offer: a press adds one behind what is selected, and it can be dragged to its place.
 import { useEffect, useState } from "react";
+import { searchOperations } from "../../shared/skills/serviceSkills";
 import { kCategories, searchSkills, type Category } from "../../shared/skills/skill";
 import { useSession } from "../client";
 import { closeSheet } from "../closeSheet";
-import { useDrag } from "../line/drag";
-import { Picture } from "../Picture";
 import { liesOver, useSheet } from "../sheet";
 import { loadSkills } from "../skills";
-import { addSelectedSkill, whereToAdd } from "../step/actions";
-import { useOffered, type Offered } from "./offered";
+import { whereToAdd } from "../step/actions";
+import { useOffered, useServicesWithoutSkills } from "./offered";
+import { ServiceGroup } from "./ServiceGroup";
+import { SkillCard } from "./SkillCard";
 import { usePlace } from "../place";
 import { useApplication } from "../model";
 import { texts } from "../texts";
@@ -18,6 +19,7 @@ const titleOf = (category: Category | undefined): string => (category === undefi
 
 export function SkillLibrary() {
   const skills = useOffered();
+  const services = useServicesWithoutSkills();
   const documents = useSession((s) => s.documents);
   const [query, setQuery] = useState("");
   useEffect(() => void loadSkills(), [documents]);
@@ -27,6 +29,7 @@ export function SkillLibrary() {
     if (sheet === "library" && aside !== null && liesOver(aside)) aside.focus();
   }, [sheet, aside]);
   const found = searchSkills(skills, query);
+  const areServicesFound = services.some((service) => searchOperations(service, query).length > 0);
   const groups = [...kCategories, undefined].map((category) => ({ category, skills: found.filter((skill) => skill.category === category) }));
   return (
     <aside className="skills" aria-label={t.title} tabIndex={-1} ref={setAside}>
@@ -39,7 +42,7 @@ export function SkillLibrary() {
         <Where />
       </header>
       {skills.length === 0 && <p className="quiet">{t.none}</p>}
-      {skills.length > 0 && found.length === 0 && <p className="quiet">{t.notFound}</p>}
+      {skills.length > 0 && found.length === 0 && !areServicesFound && <p className="quiet">{t.notFound}</p>}
       {groups.map(
         (group) =>
           group.skills.length > 0 && (
@@ -53,6 +56,9 @@ export function SkillLibrary() {
             </section>
           ),
       )}
+      {services.map((service) => (
+        <ServiceGroup key={service.key} service={service} query={query} />
+      ))}
     </aside>
   );
 }
@@ -64,28 +70,4 @@ function Where() {
   if (application === undefined) return null;
   const where = whereToAdd(application, task, step);
   return <p className="where">{where === undefined ? (application.isEditable ? t.noTask : t.readOnly) : where.text}</p>;
-}
-
-function SkillCard({ skill }: { readonly skill: Offered }) {
-  const drag = useDrag({ kind: "skill", title: skill.title, place: skill.place });
-  const isHere = skill.missing === undefined;
-  return (
-    <li className={`skill is-${skill.category ?? "other"}`}>
-      <button
-        type="button"
-        aria-disabled={!isHere}
-        title={skill.doc}
-        data-skill={skill.name}
-        onPointerDown={isHere ? drag.fromCard : undefined}
-        onClick={(click) => isHere && drag.isClick(click) && addSelectedSkill(skill.place)}
-      >
-        <Picture name={skill.icon} category={skill.category} />
-        <span>
-          <strong>{skill.title}</strong>
-          {skill.missing !== undefined && <small>{skill.missing}</small>}
-        </span>
-      </button>
-      {isHere && <i className="grip" aria-hidden="true" onPointerDown={drag.fromGrip} />}
-    </li>
-  );
 }

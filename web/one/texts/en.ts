@@ -89,6 +89,10 @@ export const en = {
     search: "Search",
     categories: { motion: "Motion", gripper: "Gripper", vision: "Camera", people: "People", flow: "Time and counting" },
     others: "Others",
+    /** What a service offers for which nobody has written skills. */
+    service: (key: string) => `Service ${key}`,
+    operations: (count: number) => several(count, "skill", "skills"),
+    away: "Not here",
     none: "No document of this server has skills. Mark library states as skills in RACE Pro.",
     notFound: "No skill has this name.",
     noTask: "Add a task first.",
