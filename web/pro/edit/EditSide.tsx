@@ -1,4 +1,4 @@
-// Left of the document that is edited: search, what can be added, the library, and its states; or its history, with its states.
+// Left of the document that is edited: search, what can be added, the library, the services, and its states; or its history, with its states.
 import type { ModelTree } from "../../shared/model/modelTree";
 import { BreakpointsPanel } from "../debugger/BreakpointsPanel";
 import { SearchBox } from "../panels/SearchBox";
@@ -7,6 +7,7 @@ import { useHistory } from "../versions/history";
 import { VersionsPanel } from "../versions/VersionsPanel";
 import { Library } from "./Library";
 import { Palette } from "./Palette";
+import { ServicePalette } from "./ServicePalette";
 
 export function EditSide({ tree }: { readonly tree: ModelTree | undefined }) {
   const history = useHistory((now) => now.shown);
@@ -19,6 +20,7 @@ export function EditSide({ tree }: { readonly tree: ModelTree | undefined }) {
           <SearchBox tree={tree} />
           <Palette />
           <Library />
+          <ServicePalette />
           <BreakpointsPanel tree={tree} />
         </>
       )}

@@ -72,6 +72,7 @@ export const concepts: readonly Topic[] = [
       text("Robots, grippers, cameras, displays are services. A service has operations that a task calls, and events that it tells. What a service accepts depends on its state, which its model (RSM) says: the page Services draws it, with the present state lit."),
       code("svc.gripper.grasp(width=0.03)            # in a function: calls the operation", "svc.gripper.grasp.result                 # in a condition: it has answered", "svc.gripper.grasp.error                  # in a condition: it has failed", "svc.robot.collision                      # in a condition: the event has occurred"),
       list(
+        "Left of the drawing, under Services, are the operations of each service: dragged onto the drawing, or by Enter, a state is added that calls one, with its parameters, results and ports.",
         "A call is a statement of its own. It does not wait: the answer comes later, and a condition sees it.",
         "A call that a service does not accept now is answered with the error `not_accepted`; one to a service that is not there with `unavailable`.",
         "Operations that no reachable state of the service accepts are struck through in the list of completions.",
