@@ -5,7 +5,7 @@ import { defineConfig, type TestProjectConfiguration } from "vitest/config";
 const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 
 /** What holds the arm or measures time: a page that another one keeps from its signs of life loses the controls. */
-const kAlone = ["cell", "cellTools", "control", "editing", "large", "lostPage", "lostServer", "one", "pendant", "posePreview", "remoteCell", "stop", "teachAgain", "timeline", "touch"];
+const kAlone = ["cell", "cellTools", "control", "editing", "large", "lostPage", "lostServer", "one", "ownService", "pendant", "posePreview", "remoteCell", "stop", "teachAgain", "timeline", "touch"];
 const alone = kAlone.map((name) => `tests/browser/${name}.test.ts`);
 
 const common = {
