@@ -2,9 +2,10 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from . import choosing
 from .refusal import Refused
 from .skills import PLANNED, Skill
-from .tasks import ROOT, Draft, Step, Task, steps_of
+from .tasks import FINAL, NEXT, ROOT, Draft, Step, Task, steps_of
 
 Json = Any
 
@@ -18,12 +19,28 @@ def document_of(draft: Draft, skills: Mapping[str, Skill]) -> dict[str, Json]:
     library = {name: state for skill in linked for name, state in skills[skill].library.items() if name in draft.library}
     keys = sorted({key for skill in linked for key in skills[skill].services()})
     types = {key: kind for skill in linked for key, kind in skills[skill].types.items()}
+    services = {key: types[key] for key in keys if key in types}
+    return {"rcm": 1, "name": draft.name, "services": services if draft.goal is None else {**services, **choosing.SERVICES},
+            "library": [library[name] for name in draft.library if name in library], "root": root_of(draft, skills)}
+
+
+def root_of(draft: Draft, skills: Mapping[str, Skill]) -> dict[str, Json]:
+    """The tasks one after the other, or as they are chosen."""
+    meta = {"title": draft.title, PLANNED: True}
+    if draft.goal is not None:
+        aside, *choices = draft.tasks
+        moves = [choice_node(task, skills) for task in choices]
+        return {**choosing.root_of(draft.goal, task_node(aside, NEXT, skills), moves), "meta": meta}
     nodes = [task_node(task, following, skills) for task, following in with_next(draft.tasks)]
     ends = [f"chi.{draft.tasks[-1].name}.port.success"]
-    errors = [f"chi.{task.name}.port.error" for task in draft.tasks]
-    return {"rcm": 1, "name": draft.name, "services": {key: types[key] for key in keys if key in types},
-            "library": [library[name] for name in draft.library if name in library],
-            "root": composite(ROOT, {"title": draft.title, PLANNED: True}, nodes, ends, errors)}
+    return composite(ROOT, meta, nodes, ends, [f"chi.{task.name}.port.error" for task in draft.tasks])
+
+
+def choice_node(task: Task, skills: Mapping[str, Skill]) -> dict[str, Json]:
+    """A task that is chosen. It ends with `stopped`, not `error`, where nothing may be moved again."""
+    node = task_node(task, None, skills)
+    finals = [f"chi.{step.name}.port.{port}" for step in task.steps for port in skills[step.skill].errors if port in FINAL]
+    return {**node, "ports": [{"name": "stopped", "when": " or ".join(finals) or "False"}, *node["ports"]]}
 
 
 def with_next(items: Sequence[Any]) -> list[tuple[Any, str | None]]:

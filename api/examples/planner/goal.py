@@ -29,7 +29,11 @@ class Goal:
 
 def read_goal(text: str) -> Goal:
     """A goal as JSON: `{"parts": {"Cube": "A1"}, "places": {"A1": [0.42, 0.1]}, "speed": 1}`. ValueError: it is none."""
-    value = json.loads(text)
+    return goal_of(json.loads(text))
+
+
+def goal_of(value: object) -> Goal:
+    """As read_goal, of JSON that was read already."""
     if not isinstance(value, dict) or not value.keys() <= {"parts", "places", "speed"}:
         raise ValueError("a goal is an object with parts, places and speed")
     parts, places, speed = value.get("parts"), value.get("places"), value.get("speed", 1.0)

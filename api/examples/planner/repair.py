@@ -123,7 +123,7 @@ def with_step(draft: Draft, error: Error, mend: Callable[[Step], Step | None]) -
 
 
 def mended(task: Task, path: str, mend: Callable[[Step], Step | None]) -> list[Step]:
-    steps = [mend(step) if f"{task.name}/{step.name}" == path else step for step in task.steps]
+    steps = [mend(step) if f"{task.path}/{step.name}" == path else step for step in task.steps]
     return [step for step in steps if step is not None]
 
 

@@ -8,11 +8,11 @@ from race_client import Client, RaceError, Update
 from . import repair
 from .compose import document_of
 from .refusal import Refused
+from .scene import is_calibrated
 from .skills import Skill, is_planned
-from .tasks import ROOT, Draft, Step, steps_of
+from .tasks import FINAL, ROOT, Draft, Step, calibrating, steps_of
 
 UPDATE_TIMEOUT = 120.0  # [s] without an update of the run after which it is ended
-FINAL = ("stopped",)  # ports of steps after which nothing is moved again: a person has stopped the robot
 
 
 @dataclass(frozen=True)
@@ -39,12 +39,7 @@ class Runner:
         Refused: it is not accepted, or has not run to its end. RaceError: the server refuses or is gone, or the document was changed by
         somebody else. Whatever ends this, also Ctrl-C, ends the run.
         """
-        draft = self._accepted(draft)
-        stored = self._race.documents.put(self._name, document_of(draft, self._skills), if_revision=self._revision,
-                                          is_new=self._revision is None, author="planner", message=draft.title)
-        self._revision = stored["revision"]
-        for key, value in (poses or {}).items():
-            self._race.services.call("db", "add", key, value)
+        draft = self.store(draft, poses)
         core = self._race.cores.create(self._name)
         try:
             if core["revision"] != self._revision:
@@ -54,11 +49,27 @@ class Runner:
             self._stop(core["id"])
             raise
 
+    def store(self, draft: Draft, poses: Mapping[str, Any] | None = None) -> Draft:
+        """As `run`, but it is not run: the draft as it was stored."""
+        draft = self._accepted(draft)
+        stored = self._race.documents.put(self._name, document_of(draft, self._skills), if_revision=self._revision,
+                                          is_new=self._revision is None, author="planner", message=draft.title)
+        self._revision = stored["revision"]
+        for key, value in (poses or {}).items():
+            self._race.services.call("db", "add", key, value)
+        return draft
+
     def complete(self, draft: Draft) -> None:
         """As `run`. Refused: also what has stopped it."""
         failure = self.run(draft)
         if failure is not None:
             raise Refused(failure.text)
+
+    def calibrate(self, speed: float) -> None:
+        """Finds out where the camera stands, if nobody knows. As `complete`."""
+        if not is_calibrated(self._race):
+            self._say("nobody knows where the camera stands: it is calibrated")
+            self.complete(calibrating(self._name, speed))
 
     def _stop(self, core: str) -> None:
         """What the run moves stops."""
@@ -82,7 +93,7 @@ class Runner:
     def _follow(self, core: str, draft: Draft) -> Failure | None:
         """Starts it, and tells each step that ends. Of steps that end while the connection is lost, nothing is told."""
         steps = steps_of(draft)
-        labels = {f"{ROOT}/{task.name}/{step.name}": task.label for task in draft.tasks for step in task.steps}
+        labels = {f"{ROOT}/{task.path}/{step.name}": task.label for task in draft.tasks for step in task.steps}
         failure = Failure("the run has ended with an error")
         with self._race.cores.follow(core) as updates:
             self._race.cores.start(core)

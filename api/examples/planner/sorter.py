@@ -7,7 +7,7 @@ from . import tasks
 from .goal import Goal, check_goal, check_scene
 from .refusal import Refused
 from .run import Failure, Runner
-from .scene import is_calibrated, look
+from .scene import look
 from .search import Move, find_moves, problem_of
 from .skills import read_skills
 
@@ -28,9 +28,7 @@ class Sorter:
         check_goal(self._goal, frozenset(self._race.services.call("obj_rec", "labels")))
         home = self._race.services.call("db", "get", f"pose_{tasks.HOME}")
         runner = Runner(self._race, skills, self._say, self._name)
-        if not is_calibrated(self._race):
-            self._say("nobody knows where the camera stands: it is calibrated")
-            runner.complete(tasks.calibrating(self._name, self._goal.speed))
+        runner.calibrate(self._goal.speed)
         failure: Failure | None = None
         for count in range(1, self._plans + 1):
             moves = self._plan(failure)

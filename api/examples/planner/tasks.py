@@ -1,12 +1,15 @@
 """What is to be run, as tasks of steps that link skills: a task for each move. compose.py writes it."""
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
+from .goal import Goal
 from .search import Move
 
 ROOT = "Sorting"  # the state that has the tasks
+NEXT = "Next"  # the state within it whose oracle chooses one of the tasks that it has (choosing.py)
+FINAL = ("stopped",)  # ports of steps after which nothing is moved again: a person has stopped the robot
 HOME = "home"  # the taught pose in which the arm hides nothing from the camera
 LOWEST = 0.02  # [m]: the tool takes flat parts here, as SearchObject says
 SLACK = 0.002  # [m] above the table from which a part falls
@@ -27,22 +30,30 @@ class Step:
 
 @dataclass(frozen=True)
 class Task:
-    """Steps that are done one after the other. `label`: of the part that they move."""
+    """Steps that are done one after the other. `label`: of the part that they move. `within`: the state in ROOT that has it; none: ROOT."""
 
     name: str
     title: str
     steps: tuple[Step, ...]
     label: str | None = None
+    within: str | None = None
+
+    @property
+    def path(self) -> str:
+        """Below ROOT."""
+        return self.name if self.within is None else f"{self.within}/{self.name}"
 
 
 @dataclass(frozen=True)
 class Draft:
-    """A document before it is written. `library`: the library states that it has."""
+    """A document before it is written. `library`: the library states that it has. `goal`: of one whose first task is done after errors, and
+    the others as a service chooses them; none: all are done one after the other."""
 
     name: str
     title: str
     tasks: tuple[Task, ...]
     library: tuple[str, ...]
+    goal: Goal | None = None
 
 
 def pose_name(number: int, move: Move) -> str:
@@ -79,11 +90,35 @@ def sorting(name: str, moves: Sequence[Move], speed: float) -> Draft:
     return draft(name, "Sort parts", (tell, *(task_of(number, move, speed) for number, move in enumerate(moves, 1)), end))
 
 
-def going_aside(name: str, speed: float) -> Draft:
-    """After an error, when the arm may stand anywhere: the tool rises from between the parts, and the arm goes out of the camera's view."""
-    steps = (Step("Up", "MoveBy", {"direction": "up", "distance": 0.1, "speed": speed}, goes_on=True),
+def aside(speed: float, *, goes_on: bool) -> Task:
+    """After an error, when the arm may stand anywhere: the tool rises from between the parts, and the arm goes out of the camera's view.
+    `goes_on`: also if the tool cannot rise, whatever keeps it from that: who runs it looks whether a person does."""
+    steps = (Step("Up", "MoveBy", {"direction": "up", "distance": 0.1, "speed": speed}, goes_on=goes_on),
              Step("Aside", "MoveTo", {"pose": HOME, "speed": speed}))
-    return draft(name, "Go out of the way", (Task("Aside", "Out of the way", steps),))
+    return Task("Aside", "Out of the way", steps)
+
+
+def going_aside(name: str, speed: float) -> Draft:
+    return draft(name, "Go out of the way", (aside(speed, goes_on=True),))
+
+
+def choice_name(move: Move) -> str:
+    """The task of a move, where one is chosen."""
+    return f"Move_{identifier(move.label)}_to_{identifier(move.spot)}"
+
+
+def choice_of(number: int, move: Move, speed: float) -> Task:
+    """One of the moves that can be chosen: the arm is out of the camera's view again at its end."""
+    task = task_of(number, move, speed)
+    back = Step("Back", "MoveTo", {"pose": HOME, "speed": speed})
+    return replace(task, name=choice_name(move), steps=(*task.steps, back), within=NEXT)
+
+
+def asking(name: str, goal: Goal, moves: Sequence[Move]) -> Draft:
+    """A service is asked before each move which of these comes next; after an error, the arm goes out of the way first."""
+    choices = (choice_of(number, move, goal.speed) for number, move in enumerate(moves, 1))
+    tasks = (aside(goal.speed, goes_on=False), *choices)
+    return replace(draft(name, "Sort parts, asking before each move", tasks), goal=goal)
 
 
 def calibrating(name: str, speed: float) -> Draft:
@@ -104,4 +139,4 @@ def identifier(text: str) -> str:
 
 def steps_of(draft: Draft) -> dict[str, Step]:
     """The steps by their paths."""
-    return {f"{ROOT}/{task.name}/{step.name}": step for task in draft.tasks for step in task.steps}
+    return {f"{ROOT}/{task.path}/{step.name}": step for task in draft.tasks for step in task.steps}
