@@ -3,8 +3,10 @@ import contextlib
 import os
 import re
 import shlex
+import signal
 import subprocess
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -42,6 +44,25 @@ def served(command, folder):
                 process.kill()
 
 
+@contextlib.contextmanager
+def answering(command, folder, port):
+    """A command of the page that goes on, once it is connected; the file has what it says."""
+    setting, *words = shlex.split(command)
+    said = Path(folder, "terminal")
+    with open(said, "w") as file, subprocess.Popen([*words, "--server", f"http://127.0.0.1:{port}"], cwd=folder, stdout=file, stderr=file,
+                                                   env={**planners.ENVIRONMENT, **dict([setting.split("=", 1)])}) as process:
+        try:
+            end = time.monotonic() + TIMEOUT
+            while "connected" not in said.read_text():
+                assert time.monotonic() < end and process.poll() is None, said.read_text()
+                time.sleep(0.05)
+            yield said
+            process.send_signal(signal.SIGINT)
+            assert process.wait(TIMEOUT) == 0, said.read_text()
+        finally:
+            process.kill()
+
+
 def run(command, folder, port):
     """(exit code, what it says) of a command of the page, at the server on this port."""
     line = f"{command} --server http://127.0.0.1:{port}"
@@ -59,7 +80,7 @@ class Readme(unittest.TestCase):
             self.assertAlmostEqual(float(number), float(expected), delta=0.02)
 
     def test_its_commands_do_what_the_page_says(self):
-        install, build, serve, by_seed, by_goal = COMMANDS
+        install, build, serve, by_seed, by_goal, oracle, start = COMMANDS
         self.assertEqual((install, build), ("deploy/install", "deploy/build release race"), "deploy/test has done both")
         with checkout() as folder, served(serve, folder) as port:
             status, said = run(by_seed, folder, port)
@@ -69,6 +90,11 @@ class Readme(unittest.TestCase):
             status, said = run(by_goal, folder, port)
             self.assertEqual(status, 1, said)
             self.assert_says(said, SAID[1])
+            with answering(oracle, folder, port) as terminal:
+                status, said = run(start, folder, port)
+                self.assertEqual(status, 0, said)
+                self.assert_says(said, SAID[2])
+            self.assert_says(terminal.read_text(), SAID[3])
 
 
 if __name__ == "__main__":
