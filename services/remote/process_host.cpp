@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "core/rsm/document.h"
+#include "services/host/call_ledger.h"
 
 namespace race::remote {
 namespace {
@@ -136,6 +137,7 @@ Message ProcessHost::hello() const {
   message.number = kProtocol;
   message.value = std::move(components);
   message.world = world_.json;
+  message.on = asks_for_violations_;
   return message;
 }
 
@@ -185,6 +187,10 @@ Expected<void> ProcessHost::handle(Message message) {
   if (message.kind == Kind::packet) {
     const std::string service = message.service, flow = message.name;
     entry->component->packet(service, flow, packet_of(std::move(message)));
+    return {};
+  }
+  if (message.kind == Kind::violation) {  // it has the time of what was announced
+    entry->component->violated({message.time, message.name, message.value.as_string(), message.call, message.service});
     return {};
   }
   set_clock(message.time);

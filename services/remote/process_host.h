@@ -54,6 +54,8 @@ class ProcessHost {
   /// connection has ended or takes nothing more, or the server has not accepted it yet), `constant`, `too_large`.
   Expected<Value> request(const std::string& key, std::string_view function, Dict arguments) EXCLUDES(mutex_);
 
+  /// The server is to say what does not fit an RSM (Component::violated). Before hello().
+  void ask_for_violations() { asks_for_violations_ = true; }
   /// The first message, for all that is attached.
   Message hello() const;
   /// What the components announce goes to `server` from now on, and is dropped before that. It outlives this or lives
@@ -101,6 +103,7 @@ class ProcessHost {
   services::Reservations reservations_;  // outlives the components: their threads fulfil
   std::function<void()> before_step_, after_step_;
   World world_;
+  bool asks_for_violations_ = false;
   std::vector<std::unique_ptr<ComponentEntry>> entries_;  // in order of declaration
   std::atomic<SendQueue*> server_{nullptr};
   std::function<bool()> ended_;

@@ -9,6 +9,7 @@
 #include "core/rsm/document.h"
 #include "core/value/json.h"
 #include "services/component.h"
+#include "services/host/call_ledger.h"
 
 namespace race::remote {
 
@@ -55,6 +56,7 @@ class Lamp final : public services::Component {
   }
 
   void halt() override { ++halts; }
+  void violated(const services::Violation& violation) override { violations.push_back(violation); }
 
   services::ServiceHost& host;
   int halts = 0;
@@ -62,6 +64,7 @@ class Lamp final : public services::Component {
   bool bright = false;
   std::vector<services::Call> calls;
   std::vector<std::string> packets, wishes;
+  std::vector<services::Violation> violations;
 };
 
 }  // namespace race::remote

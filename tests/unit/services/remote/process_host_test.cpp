@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <thread>
+#include <tuple>
 
 #include "core/value/json.h"
 #include "tests/unit/services/remote/lamp.h"
@@ -58,6 +59,22 @@ TEST_F(ProcessHostTest, TellsTheServerWhatAComponentAnnounces) {
   EXPECT_THAT(said(), ElementsAre(R"({"type":"transition","key":"lamp","id":"t1","call":5})",
                                   R"({"type":"result","key":"lamp","call":5,"value":null})",
                                   R"({"type":"event","key":"lamp","name":"lit","data":1})"));
+}
+
+TEST_F(ProcessHostTest, HandsOverViolationsIfItAskedForThem) {
+  EXPECT_FALSE(process.hello().on);
+  process.ask_for_violations();
+  EXPECT_TRUE(process.hello().on);
+  Message violation = message(Kind::violation, 2);
+  violation.name = "type";
+  violation.value = "expected a number";
+  violation.call = 7;
+  violation.service = "on";
+  ASSERT_TRUE(process.handle(std::move(violation)));
+  ASSERT_EQ(lamp->violations.size(), 1U);
+  const services::Violation& told = lamp->violations.front();
+  EXPECT_EQ(std::tie(told.rule, told.message, told.call, told.operation),
+            std::make_tuple("type", "expected a number", services::CallId{7}, "on"));
 }
 
 TEST_F(ProcessHostTest, SaysNothingWhileItIsNotConnected) {
