@@ -26,11 +26,13 @@ PROGRAM = HERE / "python_gripper.py"
 class Program:
     """A service as a program; what it prints is in a file."""
 
+    runner: tuple[str, ...] = ("/usr/bin/python3", "-B")
+
     def __init__(self, case, server, program=PROGRAM, *options):
         held = tempfile.TemporaryDirectory()
         case.addCleanup(held.cleanup)
         self.case, self.output = case, Path(held.name, "output")
-        command = ["/usr/bin/python3", "-B", str(program), "--server", f"http://127.0.0.1:{server.port}",
+        command = [*self.runner, str(program), "--server", f"http://127.0.0.1:{server.port}",
                    "--token-file", str(token_file(server)), *options]
         with open(self.output, "w") as file:
             self.process = subprocess.Popen(command, stdout=file, stderr=file, env={"PYTHONPATH": str(LIBRARY), "PATH": "/usr/bin:/bin"})
