@@ -13,14 +13,12 @@
 #include "server/commands/ask_server.h"
 #include "server/commands/command.h"
 #include "server/log/line_log.h"
-#include "services/mutex.h"
-#include "services/remote/socket_client.h"
+#include "services/remote/process_session.h"
 
 namespace race::server {
 namespace {
 
 using namespace std::chrono_literals;
-using std::chrono::steady_clock;
 
 constexpr auto kRetryInterval = 500ms;  // between attempts to connect
 
@@ -37,58 +35,14 @@ class Log {
   const std::string group_;
 };
 
-// The state of a connection, shared by the threads of the socket and of the group.
-struct Session {
-  std::atomic<bool> over{false};
-  services::Mutex mutex;
-  std::string why GUARDED_BY(mutex);               // it ended
-  std::optional<Error> refused GUARDED_BY(mutex);  // by the server, for good
-
-  void end(std::string reason) {
-    const services::MutexLock lock(mutex);
-    if (why.empty()) why = std::move(reason);
-    over = true;
-  }
-  void end_invalid(const Error& error) { end("invalid message from the server: " + to_string(error)); }
-  std::string reason() {
-    const services::MutexLock lock(mutex);
-    return why;
-  }
-  void refuse(const remote::Message& message) {
-    const Value reason = message.value.as_list().empty() ? Value() : message.value.as_list().front();
-    const auto text = [&](const char* field) {
-      const Value* value = reason.find(field);
-      return value && value->is_string() ? value->as_string() : std::string();
-    };
-    const services::MutexLock lock(mutex);
-    refused = Error{ErrorCode::conflict, "the server refuses: " + text("message"), text("path")};
-    over = true;
-  }
-};
-
-// Handles a message of the server, on the socket's thread. The group may wait for a reply; all else is queued for the
-// group.
-void handle_message(const remote::EncodedMessage& encoded, remote::ProcessHost& process, Session& session, Log& log) {
-  auto message = remote::decode(encoded, remote::Reader::process);
-  if (!message) return session.end_invalid(message.error());
-  if (message->kind == remote::Kind::refused) return session.refuse(*message);
-  if (message->kind == remote::Kind::reply) return process.handle_reply(std::move(*message));
-  if (message->kind == remote::Kind::welcome) log.write(LogLevel::info, "connected to the server");
-  if (!process.receive(std::move(*message), encoded.bytes.size())) session.end("the server says more than is handled");
-}
-
-// Steps the group in real time while it is connected.
-Expected<void> serve(remote::ProcessHost& process, Session& session) {
-  auto next = steady_clock::now();
-  while (!stop_requested && !session.over) {
-    next += 1ms;
-    std::this_thread::sleep_until(next);
-    if (const auto now = steady_clock::now(); now - next > 100ms) next = now;
-    if (auto stepped = process.step(); !stepped) session.end_invalid(stepped.error());
-  }
-  const services::MutexLock lock(session.mutex);
-  if (session.refused) return tl::unexpected(*session.refused);
-  return {};
+// Why the server does not accept the process, by the first error of its refusal.
+Error refused(const Value& refusal) {
+  const Value reason = refusal.as_list().empty() ? Value() : refusal.as_list().front();
+  const auto text = [&](const char* field) {
+    const Value* value = reason.find(field);
+    return value && value->is_string() ? value->as_string() : std::string();
+  };
+  return Error{ErrorCode::conflict, "the server refuses: " + text("message"), text("path")};
 }
 
 struct Options {
@@ -129,17 +83,15 @@ int run_service(const Options& options) {
     remote::SendQueue out;
     remote::ProcessHost process;
     if (auto made = (*row)->make(setup, process); !made) return refuse(made.error());
-    Session session;
-    std::unique_ptr<remote::SocketClient> socket;
-    while (!stop_requested && !socket) {
+    std::unique_ptr<remote::ProcessSession> session;
+    while (!stop_requested && !session) {
       const auto token = token_of_process(options.token_file);  // the server may have made it meanwhile
       if (!token) return refuse(token.error());
-      auto connected = remote::SocketClient::connect(
-          *address, *token, out,
-          {[&](const remote::EncodedMessage& encoded) { handle_message(encoded, process, session, log); },
-           [&](std::string why) { session.end(std::move(why)); }});
+      auto connected = remote::ProcessSession::connect(
+          *address, *token, process, out,
+          {stop_requested, [&] { log.write(LogLevel::info, "connected to the server"); }});
       if (connected) {
-        socket = std::move(*connected);
+        session = std::move(*connected);
       } else if (connected.error().code != ErrorCode::unavailable) {
         return refuse(Error{connected.error().code, connected.error().message, url});
       } else {
@@ -150,15 +102,14 @@ int run_service(const Options& options) {
     }
     if (stop_requested) break;
     waiting = false;
-    out.push(remote::encode(process.hello()).value());
-    process.connect(out, [&] { return stop_requested || session.over; });
     try {
-      if (auto served = serve(process, session); !served) return refuse(served.error());
+      session->run();
     } catch (const std::exception& failure) {
       log.write(LogLevel::error, std::string("failed: ") + failure.what());
       return kExitFindings;
     }
-    if (!stop_requested) log.write(LogLevel::warning, "lost the server: " + session.reason());
+    if (const Value refusal = session->refusal(); !refusal.is_null()) return refuse(refused(refusal));
+    if (!stop_requested) log.write(LogLevel::warning, "lost the server: " + session->reason());
   }
   return kExitOk;
 }
