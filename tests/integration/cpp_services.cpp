@@ -7,7 +7,6 @@
 
 namespace {
 
-using race::Dict;
 using race::Value;
 using race::client::Call;
 using race::client::Failure;

@@ -1,4 +1,4 @@
-"""Services of one's own in C++ (api/cpp): programs at a server. The rules of their parts are in tests/unit/services/remote/cpp_*_test.cpp."""
+"""Services of one's own in C++ (api/cpp): programs at a server. The rules of their parts are in tests/unit/services/remote (cpp_*)."""
 import os
 import re
 import signal
@@ -29,10 +29,13 @@ class CppProgram(Program):
 class Programs(unittest.TestCase):
     def start(self, *options, program=PROGRAM, key="grip", **how):
         self.server = Server(*(options or LONG_HEARTBEAT), **how)
-        self.addCleanup(lambda: self.server.stop())
+        self.addCleanup(self.stop_server)
         started = CppProgram(self, self.server, program)
         wait_available(self.server, key)
         return started
+
+    def stop_server(self):
+        self.server.stop()  # the last one
 
     def results(self, call, name="calling"):
         return self.server.ended(self.server.core(calling(call, name)))["results"]

@@ -213,6 +213,45 @@ TEST_F(CppHosted, AnnouncesFromAnyThreadInOrderAndBounded) {
   EXPECT_THROW(hosted.take("nowhere"), std::invalid_argument);
 }
 
+TEST_F(CppHosted, KnowsTheLimitOfItsSpeedWhileItIsConnected) {
+  add_gripper();
+  begin();
+  EXPECT_EQ(hosted.speed_limit(), std::nullopt);
+  bench->host.limit_speed(0.25);
+  bench->queue.run();
+  EXPECT_EQ(hosted.speed_limit(), 0.25);
+  hosted.log(std::string(301, 'x'));
+  EXPECT_EQ(bench->log.back(), std::string(300, 'x'));
+  hosted.lost();
+  begin();
+  EXPECT_EQ(hosted.speed_limit(), std::nullopt);
+}
+
+TEST_F(CppHosted, EndsTheHandlerWhosePlaceALaterCallTakes) {
+  add("go", [this](Call& call) {
+    ++moving;
+    try {
+      call.pause(call.number("seconds"));
+    } catch (const Stopped&) {
+      ++stopped;
+      throw;
+    }
+    return Value(call.number("seconds"));
+  });
+  declaration.rsm_text = R"json({
+      "rsm": 1, "name": "grip", "operations": [{"name": "go", "parameters": [{"name": "seconds"}], "error": "any"}],
+      "events": [], "states": [{"name": "A"}], "init": "A",
+      "transitions": [{"id": "go", "src": "A", "dst": "A", "operation": "go", "defer": ["done"]},
+                      {"id": "done", "src": "A", "dst": "A"}]})json";
+  begin();
+  call("go", {60});
+  wait_until([&] { return moving == 1; });
+  call("go", {0.01});
+  EXPECT_THAT(responses(1), ElementsAre("grip.go -> 0.01"));
+  EXPECT_EQ(stopped, 1);
+  EXPECT_THAT(violations(), IsEmpty());
+}
+
 // An RSM of one's own: calls that may be concurrent.
 struct CppConcurrent : CppHosted {
   CppConcurrent() {
