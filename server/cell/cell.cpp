@@ -30,8 +30,9 @@ Checked<std::unique_ptr<Cell>> Cell::create(const CellSetup& setup, services::Ho
 
 Expected<void> Cell::build(const CellSetup& setup) {
   waits_ = !setup.own_threads;
+  for (const ExtraService& service : setup.stand_ins) add_extra(service, service.key);
   if (auto added = add_remotes(setup); !added) return added;
-  if (!world_)
+  if (!world_ && setup.has_world)
     if (auto added = add_world(setup); !added) return added;
   for (const CellFile::Service& service : file_.services)
     if (auto added = add_service(service, setup); !added) return added;
@@ -66,6 +67,7 @@ Expected<void> Cell::add_remotes(const CellSetup& setup) {
 // No process can bring what the cell expects: tasks are checked against it, and are answered `unavailable`.
 void Cell::add_absent() {
   for (const CellFile::Awaited& each : file_.expects) {
+    if (host_.has(each.key)) continue;
     services::ServiceHost& host = host_.declare(each.key, each.type, queue_);
     const std::shared_ptr<const rsm::Service> model(std::shared_ptr<const void>(), &each.model);  // the file's
     host_.attach(each.key, std::make_unique<remote::RemoteComponent>(each.key, model, host),
@@ -83,7 +85,7 @@ Expected<void> Cell::add_world(const CellSetup& setup) {
   return {};
 }
 
-// Those that processes bring are there already.
+// Those that processes bring, and those for which others stand, are there already.
 Expected<void> Cell::add_service(const CellFile::Service& service, const CellSetup& setup) {
   using Add = Expected<void> (Cell::*)(const std::string& key, const CellSetup& setup);
   static const std::map<std::string_view, Add> kAdd = {

@@ -46,6 +46,8 @@ struct CellSetup {
   std::chrono::milliseconds heartbeat{1000};  // how long such a process may be silent
   services::MotionGate* gate = nullptr;       // of the host; outlives the cell
   std::uint64_t seed = 0;                     // of everything that is random; the same seed gives the same run
+  bool has_world = true;                      // else its scene is not loaded, and services lack it
+  std::vector<ExtraService> stand_ins = {};  // services in place of those of the cell with these keys, and further ones
 };
 
 class Cell {

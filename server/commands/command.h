@@ -30,7 +30,7 @@ struct Command {
 extern const Command kAccount, kBackup, kRestore, kCore, kBoot, kLogin, kLogout, kModels, kPull, kPush, kBundle,
     kInstall;
 extern const Command kStart, kStop, kServices, kCall, kTrace, kLog, kCompletion, kMcp;
-extern const Command kServe, kService, kRun, kRuns, kReplay, kDerive, kCheck, kTranslate, kFmt, kMan;
+extern const Command kServe, kService, kRun, kTest, kRuns, kReplay, kDerive, kCheck, kTranslate, kFmt, kMan;
 
 /// Prints errors as lines to stderr, with `json` also as JSON to stdout (file_errors.h). Returns kExitBadInput.
 int refuse(std::span<const FileErrors> errors, bool json = false);

@@ -37,7 +37,7 @@ tl::expected<Status, FileErrors> Headless::run(const rcm::Document& document, Di
   const auto fail_in = [](const std::string& file, std::vector<Error> errors) {
     return tl::unexpected(FileErrors{file, std::move(errors)});
   };
-  Headless observer(report);
+  Headless observer(report, setup);
   CellSetup of_cell = setup.cell;
   of_cell.own_threads = false;
   auto cell = Cell::create(of_cell, observer);
@@ -87,11 +87,11 @@ void Headless::settle(Execution& execution, Cell& cell) {
   do {
     take_deliveries(execution);
     if (execution.run().position() == 0) {
-      complete(execution, execution.start({}), cell);
+      finish_step(execution, execution.start({}, first_part()), cell);
       take_deliveries(execution);
     }
     while (execution.has_input()) {
-      complete(execution, execution.step({}), cell);
+      finish_step(execution, execution.step({}, first_part()), cell);
       take_deliveries(execution);
     }
   } while (cell.work() || !deliveries_.empty());
@@ -109,12 +109,21 @@ void Headless::take_deliveries(Execution& execution) {
   }
 }
 
-// What came of a macro step leaves.
+// The rest of a macro step that has begun, micro step by micro step if somebody looks.
+void Headless::finish_step(Execution& execution, const Progress& first, Cell& cell) {
+  for (const Progress* part = &first;; part = &execution.continue_step(1)) {
+    complete(execution, *part, cell);
+    if (look_) look_(execution);
+    if (part->complete) return;
+  }
+}
+
+// What came of a macro step, or of a part of one, leaves.
 void Headless::complete(const Execution& execution, const Progress& progress, Cell& cell) {
   for (const std::string& text : progress.printed) logged(cell.clock().now(), "core", text);
   make_calls(cell.host(), "1", 0, progress.calls, execution.is_over());
   Dict out{{"time", cell.clock().now()}, {"step", integer(progress.position)}};
-  if (progress.entry) out.set("input", input_json(*progress.entry));
+  if (progress.begins && progress.entry) out.set("input", input_json(*progress.entry));
   for (const auto& [key, value] : progress.delta) out.set(key, value);
   out.set("calls", execution::calls_json(progress.calls));
   report_(out);

@@ -20,6 +20,8 @@ struct HeadlessSetup {
   double limit_s = 3600;                      // of world time; a run that goes on then is left as it is
   std::optional<OperatorScript> script = {};  // who stands at the cell; begins with the run
   display::Screens* screens = nullptr;        // that the script answers; there if it is, and outlives the run
+  // Sees the run after each input and after each micro step, which are parts of macro steps then; none: nobody looks.
+  std::function<void(const execution::Execution&)> look = {};
 };
 
 class Headless final : public services::HostObserver {
@@ -38,13 +40,16 @@ class Headless final : public services::HostObserver {
   void logged(services::Time time, const std::string& key, const std::string& text) override;
 
  private:
-  explicit Headless(const Report& report) : report_(report) {}
+  explicit Headless(const Report& report, const HeadlessSetup& setup) : report_(report), look_(setup.look) {}
   void execute(execution::Execution& execution, Cell& cell, const HeadlessSetup& setup);
   void settle(execution::Execution& execution, Cell& cell);
   void take_deliveries(execution::Execution& execution);
+  std::uint32_t first_part() const { return look_ ? 0 : execution::Execution::kNoLimit; }
+  void finish_step(execution::Execution& execution, const execution::Progress& first, Cell& cell);
   void complete(const execution::Execution& execution, const execution::Progress& progress, Cell& cell);
 
   const Report& report_;
+  const std::function<void(const execution::Execution&)>& look_;
   std::vector<services::Delivery> deliveries_;
   std::unique_ptr<Operator> operator_;
 };

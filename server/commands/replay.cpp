@@ -3,7 +3,6 @@
 // a stored run, whose checkpoints are held against what is recomputed. Exit 1 if the run faulted.
 #include "core/execution/replay.h"
 
-#include <charconv>
 #include <cstdio>
 #include <memory>
 
@@ -14,6 +13,7 @@
 #include "server/commands/command.h"
 #include "server/commands/input.h"
 #include "server/commands/print_derivations.h"
+#include "server/commands/run_number.h"
 #include "server/runs/run_file.h"
 #include "server/store/journal_chain.h"
 #include "server/store/runs.h"
@@ -58,10 +58,7 @@ Checked<Replayed> of_file(const std::string& path) {
 }
 
 Expected<Replayed> of_store(const std::string& data, const std::string& text) {
-  RunId id = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), id);
-  if (error != std::errc() || end != text.data() + text.size())
-    return unexpected(ErrorCode::type, "with --data, the number of a run", "RUN");
+  ASSIGN_OR_RETURN(const RunId id, read_run_number(text, "RUN"));
   Replayed run;
   ASSIGN_OR_RETURN(run.store, Runs::open_to_read(data + "/race.sqlite"));
   ASSIGN_OR_RETURN(const RunRecord record, run.store->get(id));

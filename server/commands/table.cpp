@@ -7,11 +7,11 @@ namespace race::server {
 std::span<const Command* const> all_commands() {
   static constexpr std::array commands = {
 #ifndef RACE_CORE_ONLY
-      &kServe,   &kService,  &kRun,       &kRuns,   &kReplay, &kBackup, &kRestore,    &kCore,    &kBoot,
-      &kAccount, &kLogin,    &kLogout,    &kModels, &kPull,   &kPush,   &kBundle,     &kInstall, &kStart,
-      &kStop,    &kServices, &kCall,      &kTrace,  &kLog,    &kMcp,    &kCompletion,
+      &kServe,  &kService, &kRun,       &kTest,   &kRuns,   &kReplay, &kBackup, &kRestore,    &kCore,
+      &kBoot,   &kAccount, &kLogin,     &kLogout, &kModels, &kPull,   &kPush,   &kBundle,     &kInstall,
+      &kStart,  &kStop,    &kServices,  &kCall,   &kTrace,  &kLog,    &kMcp,    &kCompletion,
 #endif
-      &kDerive,  &kCheck,    &kTranslate, &kFmt,    &kMan,
+      &kDerive, &kCheck,   &kTranslate, &kFmt,    &kMan,
   };
   return commands;
 }

@@ -150,7 +150,7 @@ class Run(unittest.TestCase):
 
 
 class Help(unittest.TestCase):
-    COMMANDS = ("serve", "service", "run", "runs", "replay", "backup", "restore", "core", "boot", "account", "login", "logout",
+    COMMANDS = ("serve", "service", "run", "test", "runs", "replay", "backup", "restore", "core", "boot", "account", "login", "logout",
                 "models", "pull", "push", "bundle", "install", "start", "stop", "services", "call", "trace", "log", "mcp", "completion",
                 "derive", "check", "translate", "fmt", "man")
 

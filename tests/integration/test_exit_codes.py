@@ -19,6 +19,10 @@ FILES = {
     "wrong.rsm.json": json.dumps({"rsm": 1, "name": "tap", "events": [{"name": "drop"}, {"name": "drop"}]}),
     "script.json": json.dumps({"steps": [{}, {"events": [{"service": "timer", "event": "tick"}]}, {}]}),
     "operator.json": json.dumps({"operator": 1, "acts": []}),
+    "fine.test.json": json.dumps({"race_test": 1, "tests": [{"name": "ticks", "expect": {"outcome": "done"}}]}),
+    "failing.test.json": json.dumps({"race_test": 1, "model": "faulty.rcm.json",
+                                      "tests": [{"name": "ends", "expect": {"status": "ended"}}]}),
+    "wrong.test.json": json.dumps({"race_test": 1, "tests": []}),
     "no.json": "{",
 }
 NOWHERE = ("--server", "http://127.0.0.1:1")
@@ -40,6 +44,8 @@ TABLE = (
     (1, ("run", "fine.rcm.json", "--fast", "--arguments", '{"last": 1000000}', "--limit", "1")),
     (2, ("run", "wrong.rcm.json")), (2, ("run", "none.json")), (2, ("run", "fine.rcm.json", "--arguments", "[")),
     (2, ("run", "fine.rcm.json", "--operator", "no.json")), (2, ("run", "fine.rcm.json", "--operator", "operator.json")),
+    (0, ("test", "fine.test.json")), (1, ("test", "fine.test.json", "failing.test.json")), (2, ("test", "wrong.test.json")),
+    (2, ("test", "fine.test.json", "none.test.json")), (2, ("test", "no.json")), (2, ("test",)),
     (0, ("replay", "1", "--data", "DATA", "--hash")), (2, ("replay", "9", "--data", "DATA")), (2, ("replay", "no.json")),
     (2, ("replay", "none.json")), (2, ("replay", "1", "--data", "none")),
     (0, ("runs", "--data", "DATA")), (2, ("runs", "--data", "none")), (2, ("runs",)),
@@ -83,11 +89,12 @@ TABLE = (
     (2, ("service", "oven", *NOWHERE)), (2, ("service", "database")), (2, ("service", "database", "--server", "ftp://x")),
     (2, ("serve", "--remote", "oven")), (2, ("serve", "--data", "/proc/no")), (2, ("serve", "--operator", "no.json")),
 )
-COMMANDS = ("serve", "service", "run", "runs", "replay", "backup", "restore", "core", "boot", "account", "login", "logout",
-            "models", "pull", "push", "bundle", "install", "start", "stop", "services", "call", "trace", "log", "completion", "mcp", "derive",
-            "check", "translate", "fmt", "man")
+COMMANDS = ("serve", "service", "run", "test", "runs", "replay", "backup", "restore", "core", "boot", "account", "login", "logout",
+            "models", "pull", "push", "bundle", "install", "start", "stop", "services", "call", "trace", "log", "completion", "mcp",
+            "derive", "check", "translate", "fmt", "man")
 # What a command needs at least.
-WORDS = {"service": ("database", *NOWHERE), "run": ("fine.rcm.json",), "replay": ("no.json",), "runs": ("--data", "none"),
+WORDS = {"service": ("database", *NOWHERE), "run": ("fine.rcm.json",), "test": ("fine.test.json",), "replay": ("no.json",),
+         "runs": ("--data", "none"),
          "restore": ("none",), "core": ("list",), "boot": ("list",),
          "account": ("list", "--data", "accounts"), "derive": ("fine.rcm.json", "script.json"),
          "check": ("fine.rcm.json",), "translate": ("fine.rcm.json",), "fmt": ("fine.rcm.json",),
@@ -140,7 +147,7 @@ class Codes(CommandCase):
         for command in ("serve", "service", "run", "runs", "replay", "mcp", "derive", "translate"):
             status, _, errors = self.race(command, *WORDS.get(command, ()), "one-more")
             self.assertEqual((status, errors.splitlines()[0]), (2, "one-more: syntax: is a word too many"), command)
-        for command in ("service", "run", "replay", "restore", "core", "boot", "account", "derive", "check", "translate", "fmt"):
+        for command in ("service", "run", "test", "replay", "restore", "core", "boot", "account", "derive", "check", "translate", "fmt"):
             status, _, errors = self.race(command)
             self.assertEqual(status, 2)
             self.assertRegex(errors, r"\A[A-Z]+: missing: ")
