@@ -5,7 +5,7 @@
 #include "core/value/fields.h"
 #include "server/commands/command.h"
 #include "server/commands/document_file.h"
-#include "server/http/message.h"
+#include "server/http/encode_part.h"
 
 namespace race::server {
 namespace {

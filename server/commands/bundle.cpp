@@ -11,7 +11,7 @@
 #include "core/value/json.h"
 #include "server/commands/ask_documents.h"
 #include "server/commands/command.h"
-#include "server/http/message.h"
+#include "server/http/encode_part.h"
 #include "server/store/files.h"
 
 namespace race::server {

@@ -6,7 +6,7 @@
 
 #include "core/value/fields.h"
 #include "server/commands/ask_server.h"
-#include "server/http/message.h"
+#include "server/http/encode_part.h"
 
 namespace race::server {
 namespace {

@@ -14,7 +14,7 @@
 #include "core/value/json.h"
 #include "server/accounts/local_key.h"
 #include "server/accounts/secret.h"
-#include "server/http/message.h"
+#include "server/http/encode_part.h"
 #include "server/store/files.h"
 #include "services/remote/address.h"
 

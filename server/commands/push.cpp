@@ -12,7 +12,7 @@
 #include "server/commands/command.h"
 #include "server/commands/document_file.h"
 #include "server/commands/pulled_files.h"
-#include "server/http/message.h"
+#include "server/http/encode_part.h"
 #include "server/store/files.h"
 
 namespace race::server {

@@ -11,7 +11,7 @@
 #include "server/commands/ask_server.h"
 #include "server/commands/call_arguments.h"
 #include "server/commands/command.h"
-#include "server/http/message.h"
+#include "server/http/encode_part.h"
 
 namespace race::server {
 namespace {

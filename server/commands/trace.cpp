@@ -14,7 +14,7 @@
 #include "server/commands/core_line.h"
 #include "server/commands/print_derivations.h"
 #include "server/commands/watching.h"
-#include "server/http/message.h"
+#include "server/http/encode_part.h"
 #include "server/wire/run_status.h"
 
 namespace race::server {

@@ -6,6 +6,7 @@
 #include "server/cell/component_groups.h"
 #include "server/handlers/account_json.h"
 #include "server/handlers/handlers.h"
+#include "server/http/encode_part.h"
 #include "server/wire/calendar.h"
 
 namespace race::server {

@@ -5,6 +5,7 @@
 
 #include "core/rcm/ids.h"
 #include "core/value/json.h"
+#include "server/http/encode_part.h"
 #include "server/http/refusal.h"
 
 namespace race::server {

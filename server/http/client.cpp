@@ -40,6 +40,7 @@ ClientRequest make_request(const remote::Address& address, const std::string& to
 struct Subscription {
   std::string host, token, channel;
   const std::function<bool(const Value& message)>& take;
+  HttpClient::Answer* refusal;
 };
 
 using Trust = asio::ssl::context;
@@ -68,6 +69,7 @@ struct Exchange {
     const auto [unknown, endpoints] =
         co_await resolver.async_resolve(address.host, std::to_string(address.port), kAsTuple);
     if (unknown) co_return failure(unknown);
+    if (is_stopped) co_return failure(asio::error::operation_aborted);  // connecting would open the stream again
     stream.expires_after(timeouts.connect);
     const auto [absent, endpoint] = co_await stream.async_connect(endpoints, kAsTuple);
     if (absent) co_return failure(absent);
@@ -86,7 +88,7 @@ struct Exchange {
   }
 
   template <typename Stream>
-  static asio::awaitable<Expected<HttpClient::Answer>> ask(Stream& stream, const ClientRequest& request) {
+  static asio::awaitable<Expected<HttpClient::TextAnswer>> ask(Stream& stream, const ClientRequest& request) {
     const auto [unsent, sent] = co_await http::async_write(stream, request, kAsTuple);
     if (unsent) co_return failure(unsent);
     beast::flat_buffer buffer;
@@ -94,10 +96,7 @@ struct Exchange {
     parser.body_limit(HttpClient::kBodyBytes);
     const auto [broken, received] = co_await http::async_read(stream, buffer, parser, kAsTuple);
     if (broken) co_return failure(broken);
-    auto body = parse_json(parser.get().body(), {.depth = HttpClient::kBodyDepth});
-    if (!body)
-      co_return unexpected(ErrorCode::io, "answers " + std::to_string(parser.get().result_int()) + " without JSON");
-    co_return HttpClient::Answer{static_cast<int>(parser.get().result_int()), std::move(*body)};
+    co_return HttpClient::TextAnswer{static_cast<int>(parser.get().result_int()), std::move(parser.get().body())};
   }
 
   // The messages of a channel, as long as they are taken.
@@ -112,6 +111,7 @@ struct Exchange {
     socket.set_option(websocket::stream_base::timeout{std::chrono::seconds(10), std::chrono::seconds(30), true});
     websocket::response_type answer;
     const auto [refused] = co_await socket.async_handshake(answer, wanted.host, "/api/v1/stream", kAsTuple);
+    if (refused && wanted.refusal) read_refusal(answer, *wanted.refusal);
     if (answer.result() == http::status::unauthorized || answer.result() == http::status::forbidden)
       co_return unexpected(ErrorCode::rights, "does not let in who asks");
     if (refused) co_return failure(refused);
@@ -128,6 +128,21 @@ struct Exchange {
     }
   }
 
+  // Into `refusal`, if it is JSON.
+  static void read_refusal(const websocket::response_type& answer, HttpClient::Answer& refusal) {
+    const int status = static_cast<int>(answer.result_int());
+    auto body = parse_json(answer.body());
+    if (status >= 400 && body) refusal = {status, std::move(*body)};
+  }
+
+  // From any thread: whatever run() waits for ends, with an error.
+  void stop_soon() {
+    asio::post(io, [this] {
+      is_stopped = true;
+      stream.close();
+    });
+  }
+
   // Of the network; or of what is there, if it speaks no HTTP.
   static tl::unexpected<Error> failure(error_code error) {
     const bool is_http = error.category() == make_error_code(http::error::bad_method).category();
@@ -142,6 +157,7 @@ struct Exchange {
 
   asio::io_context io{1};
   beast::tcp_stream stream{io};
+  bool is_stopped = false;
   std::optional<asio::ssl::stream<beast::tcp_stream&>> secret;  // what is under way when run() ends refers to it
 };
 
@@ -154,12 +170,13 @@ Expected<HttpClient> HttpClient::create(std::string url, Timeouts timeouts) {
 
 // `use` is called with the connected stream, and waited for.
 template <typename Result, typename Use>
-Expected<Result> HttpClient::connect_and(const Use& use) const {
+Expected<Result> HttpClient::connect_and(const Use& use, const std::stop_token& stop) const {
   std::unique_ptr<Trust> trust;
   if (address_.tls) {
     ASSIGN_OR_RETURN(trust, read_trust(authority_));
   }
   Exchange exchange;
+  const std::stop_callback stopping(stop, [&exchange] { exchange.stop_soon(); });
   Expected<Result> outcome = unexpected(ErrorCode::unavailable, "the connection failed");
   asio::co_spawn(exchange.io, exchange.run<Result>(address_, use, timeouts_, trust.get()),
                  [&outcome](std::exception_ptr failed, Expected<Result> result) {
@@ -172,16 +189,27 @@ Expected<Result> HttpClient::connect_and(const Use& use) const {
 
 Expected<HttpClient::Answer> HttpClient::request(std::string_view method, std::string_view target,
                                                  const std::optional<Value>& body, const Headers& headers) const {
-  ClientRequest request = make_request(address_, token_, method, target, body);
-  for (const auto& [name, value] : headers) request.set(name, value);
-  return connect_and<Answer>([&request](auto& stream) { return Exchange::ask(stream, request); });
+  ASSIGN_OR_RETURN(const TextAnswer answer, request_text(method, target, body, headers));
+  auto read = parse_json(answer.body, {.depth = kBodyDepth});
+  if (!read) return unexpected(ErrorCode::io, "answers " + std::to_string(answer.status) + " without JSON", url_);
+  return Answer{answer.status, std::move(*read)};
 }
 
-Expected<void> HttpClient::follow(std::string_view channel,
-                                  const std::function<bool(const Value& message)>& take) const {
-  const Subscription wanted{address_.host + ':' + std::to_string(address_.port), token_, std::string(channel), take};
-  const auto done = connect_and<bool>([&wanted](auto& stream) { return Exchange::follow(stream, wanted); });
-  if (!done) return tl::unexpected(done.error());
+Expected<HttpClient::TextAnswer> HttpClient::request_text(std::string_view method, std::string_view target,
+                                                          const std::optional<Value>& body,
+                                                          const Headers& headers) const {
+  ClientRequest request = make_request(address_, token_, method, target, body);
+  for (const auto& [name, value] : headers) request.set(name, value);
+  return connect_and<TextAnswer>([&request](auto& stream) { return Exchange::ask(stream, request); });
+}
+
+Expected<void> HttpClient::follow(std::string_view channel, const std::function<bool(const Value& message)>& take,
+                                  const FollowOptions& options) const {
+  const Subscription wanted{address_.host + ':' + std::to_string(address_.port), token_, std::string(channel), take,
+                            options.refusal};
+  const auto done =
+      connect_and<bool>([&wanted](auto& stream) { return Exchange::follow(stream, wanted); }, options.stop);
+  if (!done && !options.stop.stop_requested()) return tl::unexpected(done.error());
   return {};
 }
 

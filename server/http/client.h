@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -25,6 +26,11 @@ class HttpClient {
   struct Answer {
     int status = 0;
     Value body;
+  };
+  /// The same with a body that may be anything.
+  struct TextAnswer {
+    int status = 0;
+    std::string body;
   };
   using Headers = std::vector<std::pair<std::string, std::string>>;
   /// Greater than 0. A handler of the server answers within seven seconds (handlers/README.md).
@@ -45,20 +51,32 @@ class HttpClient {
   void set_authority(std::string file) { authority_ = std::move(file); }
 
   /// Sends a request and waits for its answer, whatever its status. `method`: of HTTP, "GET"; `target`: path and query,
-  /// encoded (message.h, encode_part). Errors, with the URL as path: `unavailable` (nothing listens there, or no answer
+  /// encoded (encode_part.h). Errors, with the URL as path: `unavailable` (nothing listens there, or no answer
   /// came in time; the server may have executed it), `io` (what answers speaks no HTTP or no JSON, or more than
   /// kBodyBytes, or it is not trusted); with the file of the authority as path `io`.
   Expected<Answer> request(std::string_view method, std::string_view target, const std::optional<Value>& body = {},
                            const Headers& headers = {}) const;
+  /// The same of an answer that may be no JSON.
+  Expected<TextAnswer> request_text(std::string_view method, std::string_view target,
+                                    const std::optional<Value>& body = {}, const Headers& headers = {}) const;
 
+  /// How a channel is followed.
+  struct FollowOptions {
+    std::stop_token stop = {};  // once it is stopped, from any thread, follow() returns soon, and without an error
+    Answer* refusal = nullptr;  // gets the answer of a server that opens no stream, if it is JSON
+  };
   /// Subscribes a channel of the stream (api/asyncapi.yaml), and gives each of its messages, from the snapshot on, to
   /// `take` until that returns false. Errors, with the URL as path: `rights` (the server does not let in who asks), and
   /// those of request(); `unavailable` also if the connection ends.
-  Expected<void> follow(std::string_view channel, const std::function<bool(const Value& message)>& take) const;
+  Expected<void> follow(std::string_view channel, const std::function<bool(const Value& message)>& take,
+                        const FollowOptions& options) const;
+  Expected<void> follow(std::string_view channel, const std::function<bool(const Value& message)>& take) const {
+    return follow(channel, take, FollowOptions());
+  }
 
  private:
   template <typename Result, typename Use>
-  Expected<Result> connect_and(const Use& use) const;
+  Expected<Result> connect_and(const Use& use, const std::stop_token& stop = {}) const;
 
   HttpClient(std::string url, remote::Address address, Timeouts timeouts)
       : url_(std::move(url)), address_(std::move(address)), timeouts_(timeouts) {}

@@ -62,7 +62,4 @@ Expected<std::pair<std::string, Parameters>> parse_target(std::string_view targe
 /// Whether it is a path of the interface (api/openapi.yaml), not of a page.
 inline bool is_of_interface(std::string_view path) { return path.starts_with("/api/") || path == "/metrics"; }
 
-/// `text` as one part of the path of a request target: all but letters, digits and `-._~` as %2F.
-std::string encode_part(std::string_view text);
-
 }  // namespace race::server

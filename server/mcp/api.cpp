@@ -2,7 +2,7 @@
 
 #include "core/value/error_list.h"
 #include "core/value/json.h"
-#include "server/http/message.h"
+#include "server/http/encode_part.h"
 #include "server/wire/errors.h"
 
 namespace race::server::mcp {

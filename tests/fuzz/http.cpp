@@ -14,6 +14,7 @@
 #include "server/handlers/preconditions.h"
 #include "server/handlers/query.h"
 #include "server/http/content_coding.h"
+#include "server/http/encode_part.h"
 #include "server/http/field_list.h"
 #include "server/http/parsed_request.h"
 #include "server/http/request_filter.h"

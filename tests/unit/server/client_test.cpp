@@ -7,8 +7,10 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <stop_token>
 #include <thread>
 
+#include "server/http/encode_part.h"
 #include "server/http/listener.h"
 #include "server/http/refusal.h"
 #include "server/tls/authority.h"
@@ -127,6 +129,15 @@ TEST_F(ClientTest, FollowsAChannelUntilItIsEnough) {
   }
 }
 
+TEST_F(ClientTest, FollowsUntilItIsStopped) {
+  std::stop_source source;
+  const auto stop = [&source](const Value&) {
+    source.request_stop();
+    return true;
+  };
+  EXPECT_TRUE(client().follow("log", stop, {.stop = source.get_token()}));
+}
+
 // Accepts one connection, says `text`, and holds it until the test is over.
 class StrangeServer {
  public:
@@ -178,6 +189,14 @@ TEST(HttpClient, CallsWhatIsNoServerOfOursIo) {
   EXPECT_EQ(error_with("HTTP/1.1 200 OK\r\nContent-Length: " + size + "\r\n\r\n").code, ErrorCode::io);
 }
 
+TEST(HttpClient, GivesAnswersThatAreNoJsonAsTheyAre) {
+  const StrangeServer server("HTTP/1.1 200 OK\r\nContent-Length: 6\r\n\r\n<html>");
+  const auto answer = HttpClient::create(server.url())->request_text("GET", "/metrics");
+  ASSERT_TRUE(answer) << to_string(answer.error());
+  EXPECT_EQ(answer->status, 200);
+  EXPECT_EQ(answer->body, "<html>");
+}
+
 TEST(HttpClient, ReadsAnswersOfManyLevels) {
   const auto levels = [](std::size_t count) {
     const std::string body = std::string(count, '[') + std::string(count, ']');
@@ -204,6 +223,15 @@ TEST(HttpClient, FollowsNothingWhereNobodySpeaksOfIt) {
   EXPECT_EQ(code("HTTP/1.1 401 Unauthorized\r\nContent-Length: 0\r\n\r\n"), "rights");
   EXPECT_EQ(code("HTTP/1.1 403 Forbidden\r\nContent-Length: 0\r\n\r\n"), "rights");
   EXPECT_EQ(code("HTTP/1.1 404 Not Found\r\nContent-Length: 0\r\n\r\n"), "unavailable");
+}
+
+TEST(HttpClient, GivesTheAnswerOfWhoOpensNoStream) {
+  const StrangeServer strange("HTTP/1.1 401 Unauthorized\r\nContent-Length: 13\r\n\r\n{\"errors\":[]}");
+  HttpClient::Answer refusal;
+  const auto client = HttpClient::create(strange.url()).value();
+  EXPECT_FALSE(client.follow("log", [](const Value&) { return true; }, {.refusal = &refusal}));
+  EXPECT_EQ(refusal.status, 401);
+  EXPECT_EQ(refusal.body, Value(Dict{{"errors", List()}}));
 }
 
 TEST(HttpClient, NamesTheUrlWhereNothingListens) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "server/http/encode_part.h"
+
 namespace race::server {
 namespace {
 
