@@ -56,11 +56,11 @@ def docstring(route: Route) -> list[str]:
     return [*lines, '    """'] if len(lines) > 1 else [lines[0] + '"""']
 
 
-def wrapped(line: str, bracket: str) -> list[str]:
+def wrapped(line: str, bracket: str, width: int = WIDTH) -> list[str]:
     """A long line, broken behind commas and indented below its first bracket."""
     indent = " " * (line.index(bracket) + 1)
     lines = [line]
-    while len(lines[-1]) > WIDTH and (at := lines[-1].rfind(", ", 0, WIDTH - 1)) > len(indent):
+    while len(lines[-1]) > width and (at := lines[-1].rfind(", ", 0, width - 1)) > len(indent):
         lines[-1:] = [lines[-1][: at + 1], indent + lines[-1][at + 2 :]]
     return lines
 

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""generate/main.py [--check]: makes what race_client has from api/: messages.py, calls/ and plain/; the calls of ../typescript; and the
-conversation of ../conversations that openapi.yaml says. With --check it writes nothing, names the files that are not up to date, and ends
-with 1 if there are any. Needs python3-yaml."""
+"""generate/main.py [--check]: makes what race_client has from api/: messages.py, calls/ and plain/; the calls of ../typescript and of
+../cpp/client; and the conversation of ../conversations that openapi.yaml says. With --check it writes nothing, names the files that are
+not up to date, and ends with 1 if there are any. Needs python3-yaml."""
 import sys
 from pathlib import Path
 
 import conversations
+import cpp
 import typescript
 from calls import calls_text, snake
 from messages import messages_text
@@ -23,7 +24,7 @@ def outputs() -> dict[Path, str]:
     """Every generated file, and what it must have."""
     routes = all_routes()
     modules = {name: [route for route in routes if route.module == name] for name in sorted({route.module for route in routes})}
-    files = {**typescript.outputs(modules), **conversations.outputs(routes)}
+    files = {**typescript.outputs(modules), **cpp.outputs(routes), **conversations.outputs(routes)}
     for name, group in modules.items():
         files[PACKAGE / "calls" / f"{name}.py"] = calls_text(name, group)
     files[PACKAGE / "calls" / "__init__.py"] = init_text(modules)
@@ -56,7 +57,8 @@ def main() -> int:
     stale = [path for path, text in wanted.items() if not path.exists() or path.read_text() != text]
     surplus = sorted(there - wanted.keys())
     for path in [*stale, *surplus]:
-        print(f"{path.relative_to(API)}: not up to date" if only_check else path.relative_to(API))
+        name = path.relative_to(API.parent)
+        print(f"{name}: not up to date" if only_check else name)
     if not only_check:
         for path in stale:
             path.parent.mkdir(exist_ok=True)
