@@ -5,7 +5,8 @@ import operator
 import sys
 import time
 
-from client import TIMEOUT, check
+from accounts import AccountServer
+from client import PROJECT, TIMEOUT, Server, check
 from conversation_values import API, FOLDER, Values, at, mismatch, value_of
 from interface import check_listed
 from python_clients import race_client
@@ -16,6 +17,8 @@ from calls import snake
 from routes import all_routes
 
 ROUTES = {route.operation_id: route for route in all_routes()}
+# With which a conversation is held.
+SERVERS = {"plain": Server, "accounts": AccountServer, "demo": lambda: Server("--demo", str(PROJECT / "deploy/demo"))}
 OF_ERRORS = ("status", "code", "path", "errors", "may_be_done", "service", "operation", "error")
 
 

@@ -1,12 +1,8 @@
 """The conversations of api/conversations, held by the Python client library: by the plain client and by the asyncio client."""
 import unittest
 
-from accounts import AccountServer
-from client import PROJECT, Server
-from conversations import Conversation, all_conversations
+from conversations import SERVERS, Conversation, all_conversations
 from python_clients import KINDS
-
-SERVERS = {"plain": Server, "accounts": AccountServer, "demo": lambda: Server("--demo", str(PROJECT / "deploy/demo"))}
 
 
 def conversation_test(connect, conversation):
