@@ -1,18 +1,15 @@
 // The how-to of api/typescript/README.md: its blocks, run one after the other against the demo, print what the page says.
 import { spawnSync } from "node:child_process";
-import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { install, library } from "./installed";
 import { project, Server } from "./servers";
 
-const library = join(project, "api/typescript");
 const kBlock = /^```(js|text)\n(.*?)^```$/gms;
 
-/** A program that has the library as npm installs it: what is compiled, and nothing else. */
-function install(folder: string): void {
-  const installed = join(folder, "node_modules/race-client");
-  mkdirSync(installed, { recursive: true });
-  for (const name of ["package.json", "dist"]) cpSync(join(library, name), join(installed, name), { recursive: true });
+/** The WebSocket of the tests, as socket.mjs. */
+function bundleSocket(folder: string): void {
   const socket = ["--bundle", "--platform=node", "--format=esm", "--log-level=warning", `--outfile=${join(folder, "socket.mjs")}`];
   const bundled = spawnSync(join(project, "web/node_modules/.bin/esbuild"), [join(project, "tests/browser/nodeSocket.ts"), ...socket], { encoding: "utf8" });
   if (bundled.status !== 0) throw new Error(bundled.stderr);
@@ -27,6 +24,7 @@ describe("the page of the client", () => {
     const server = await Server.start(["--demo", join(project, "deploy/demo")]);
     try {
       install(folder);
+      bundleSocket(folder);
       // As Node 18 is: without a WebSocket, which the page gives it, and without the Web Crypto API.
       const node18 = 'import { NodeSocket } from "./socket.mjs";\nglobalThis.WebSocket = NodeSocket;\ndelete globalThis.crypto;\n';
       const program = blocks.filter(({ kind }) => kind === "js").map(({ text }) => text).join("\n");

@@ -10,7 +10,7 @@ import { Client, type ClientOptions } from "../../api/typescript/src/index";
 import { NodeSocket } from "../browser/nodeSocket";
 
 export const project = fileURLToPath(new URL("../../", import.meta.url));
-const binary = process.env["RACE_BINARY"] ?? join(project, "build/release/race");
+export const binary = process.env["RACE_BINARY"] ?? join(project, "build/release/race");
 
 /** In memory: a disk that is busy with something else would interrupt runs. */
 export const newFolder = (): string => mkdtempSync(join(existsSync("/dev/shm") ? "/dev/shm" : tmpdir(), "race-client-"));
@@ -44,6 +44,11 @@ export class Server {
   /** A client of it; Node 18 has no WebSocket. */
   client(options: ClientOptions = {}): Client {
     return new Client(this.url, { webSocket: NodeSocket, ...options });
+  }
+
+  /** SIGSTOP lets it be silent, SIGCONT go on. */
+  signal(signal: NodeJS.Signals): void {
+    this.process.kill(signal);
   }
 
   /** Ends it by SIGKILL; the data folder stays. */

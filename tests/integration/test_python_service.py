@@ -1,4 +1,5 @@
 """Services of one's own in Python (race_client.service): programs at a server, and the rules of their parts without one."""
+import asyncio
 import re
 import shutil
 import signal
@@ -17,7 +18,10 @@ from python_clients import LIBRARY
 from race_client.service import DeclarationError, Service, operation
 from race_client.service.arguments import check_arguments
 from race_client.service.declaration import Declaration
+from race_client.service.hosted import MAX_CALLS, Hosted
 from race_client.service.machine import Machine, Resolved
+from race_client.service.session import MAX_OUT, Session
+from race_client.service.values import check_value, checked_error
 
 HERE = Path(__file__).resolve().parent
 PROGRAM = HERE / "python_gripper.py"
@@ -333,6 +337,69 @@ class Rules(unittest.TestCase):
         for args, kwargs in (([0], {}), ([1.0, "y", True], {}), ([], {"width": 0.5, "on": True})):
             self.assertIsNone(check_arguments(move, parameters, args, kwargs))
         self.assertEqual(check_arguments(move, parameters, [2], {})["message"], "`width` must be at least 0 and at most 1 m")
+
+
+class Bounds(unittest.TestCase):
+    def test_a_value_that_the_server_would_not_read_is_none(self):
+        for value in (float("nan"), float("inf"), 2**63, -(2**64), "\ud800", {"\udc00": 1}, {1, 2}, [object()]):
+            with self.assertRaises((TypeError, ValueError)):
+                check_value(value)
+        for value in (None, 0, -(2**63), 1e21, "\U0001f600", {"a": [{"b": 1.5}]}):
+            check_value(value)
+        self.assertIn("its `code` is no text", checked_error({"code": 5})["message"])
+        self.assertEqual(checked_error({"code": "jammed", "force": float("inf")})["code"], "failed")
+
+    def test_what_the_server_does_not_take_is_bounded(self):
+        class Socket:
+            closed = 0
+
+            def close(self):
+                self.closed += 1
+
+        socket = Socket()
+        session = Session(socket, [])
+        for _ in range(MAX_OUT):
+            session.say({})
+        self.assertEqual(socket.closed, 0)
+        session.say({})
+        self.assertEqual(socket.closed, 1)
+
+    def test_a_hundred_are_at_work_and_no_more(self):
+        class Busy(Service):
+            key = "busy"
+
+            @operation
+            async def wait(self):
+                await self.end.wait()
+
+            @operation
+            async def answer(self, value: int):
+                return value
+
+        async def talk():
+            service, said = Busy(), []
+            service.end = asyncio.Event()
+            hosted = Hosted(service)
+            hosted.connected(said.append)
+
+            def call(number, name, *args):
+                hosted.received({"type": "call", "key": "busy", "call": number, "operation": name, "args": list(args), "kwargs": {}})
+
+            for number in range(1, MAX_CALLS + 1):
+                call(number, "wait")
+            call(101, "answer", 5)
+            self.assertEqual((said[-1]["call"], said[-1]["error"]["code"]), (101, "too_many"))
+            service.end.set()
+            while len([each for each in said if each["type"] == "result"]) < MAX_CALLS:
+                await asyncio.sleep(0.001)
+            await asyncio.sleep(0)  # the last task ends
+            call(102, "answer", 5)
+            while said[-1].get("value") != 5:
+                await asyncio.sleep(0.001)
+            call(103, "nothing")
+            self.assertEqual(said[-1], {"key": "busy", "type": "reject", "call": 103})
+
+        asyncio.run(asyncio.wait_for(talk(), TIMEOUT))
 
 
 if __name__ == "__main__":
