@@ -18,6 +18,8 @@ const kOnlyTypeScript: Readonly<Record<string, string>> = {
   "a process that is not known is refused and ends": "a WebSocket of JavaScript does not tell why the server refuses it, that of Python does",
   "a reader that leaves its loop ends the connection": "Python has a block for that, whose end every conversation has",
   "what is no part of a path is not sent": "a browser changes a path before it sends it",
+  "the page of the template does what it says": "that of Python is api/tutorial.md (test_tutorial.py)",
+  "the template has less than 30 lines": "as the one before",
   "the tests of both languages have the same names": "this one",
 };
 
