@@ -37,6 +37,24 @@ struct Following::Reader {
     changed.notify_all();
   }
 
+  // Until the first snapshot is there; or why it does not come.
+  std::optional<ApiError> wait_for_first(std::chrono::milliseconds within) EXCLUDES(mutex) {
+    const MutexLock lock(mutex);
+    changed.wait_for(mutex, within, [this]() REQUIRES(mutex) { return updates.has_state() || updates.is_over(); });
+    if (updates.has_state()) return std::nullopt;
+    if (updates.failure()) return updates.failure();
+    return failure(kTimeout, channel + ": no snapshot comes in time").value();
+  }
+
+  Answered<std::optional<Update>> next(std::chrono::milliseconds timeout) EXCLUDES(mutex) {
+    const MutexLock lock(mutex);
+    changed.wait_for(mutex, timeout, [this]() REQUIRES(mutex) { return updates.has_next() || updates.is_over(); });
+    if (auto update = updates.pop()) return update;
+    if (updates.failure()) return tl::unexpected(*updates.failure());
+    if (updates.is_over()) return std::optional<Update>();
+    return failure(kTimeout, channel + ": no update comes in time");
+  }
+
   const HttpClient http;
   services::Mutex mutex;
   services::ConditionVariable changed;
@@ -52,25 +70,10 @@ Following::~Following() = default;
 
 Answered<Following> Following::open(const HttpClient& http, std::string_view core, std::chrono::milliseconds within) {
   auto reader = std::make_unique<Reader>(http, core);
-  {
-    const MutexLock lock(reader->mutex);
-    CoreUpdates& updates = reader->updates;
-    reader->changed.wait_for(reader->mutex, within, [&] { return updates.has_state() || updates.is_over(); });
-    if (!updates.has_state() && updates.failure()) return tl::unexpected(*updates.failure());
-    if (!updates.has_state()) return failure(kTimeout, reader->channel + ": no snapshot comes in time");
-  }
+  if (auto failed = reader->wait_for_first(within)) return tl::unexpected(std::move(*failed));
   return Following(std::move(reader));
 }
 
-Answered<std::optional<Update>> Following::next(std::chrono::milliseconds timeout) {
-  Reader& reader = *reader_;
-  const MutexLock lock(reader.mutex);
-  CoreUpdates& updates = reader.updates;
-  reader.changed.wait_for(reader.mutex, timeout, [&] { return updates.has_next() || updates.is_over(); });
-  if (auto update = updates.pop()) return update;
-  if (updates.failure()) return tl::unexpected(*updates.failure());
-  if (updates.is_over()) return std::optional<Update>();
-  return failure(kTimeout, reader.channel + ": no update comes in time");
-}
+Answered<std::optional<Update>> Following::next(std::chrono::milliseconds timeout) { return reader_->next(timeout); }
 
 }  // namespace race::client

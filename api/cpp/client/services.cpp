@@ -8,9 +8,9 @@
 namespace race::client {
 namespace {
 
-std::string text_or(const Value& error, std::string_view field, std::string other) {
+std::string text_or(const Value& error, std::string_view field, const std::string& other) {
   const Value* const text = error.find(field);
-  return text && text->is_string() ? text->as_string() : std::move(other);
+  return text && text->is_string() ? text->as_string() : other;
 }
 
 ApiError service_error(std::string_view service, std::string_view operation, const Value& error) {
