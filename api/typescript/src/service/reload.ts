@@ -14,7 +14,7 @@ const kLook = 0.2;
 /** [s] for the program to end. */
 const kEndTime = 5;
 const kPrograms: readonly string[] = [".js", ".mjs", ".cjs"];
-/** The end of the name of a file with a task, which is none of the program's. */
+/** The end of the name of a file with a task, which is none of the program's; nor is what is hidden: `race push` writes both. */
 const kTask = ".rcm.json";
 
 /** By file: when it was saved, and how long it is. */
@@ -30,7 +30,7 @@ function stampOf(file: string): readonly (readonly [string, string])[] {
 }
 
 function stampsOf(folder: string): Stamps {
-  const names = readdirSync(folder).filter((name) => [...kPrograms, ".json"].includes(extname(name)) && !name.endsWith(kTask));
+  const names = readdirSync(folder).filter((name) => [...kPrograms, ".json"].includes(extname(name)) && !name.endsWith(kTask) && !name.startsWith("."));
   return new Map(names.sort().flatMap((name) => stampOf(join(folder, name))));
 }
 
