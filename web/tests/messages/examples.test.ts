@@ -73,7 +73,7 @@ const unread = new Set([
   "addresses", "pair", "pair_answer", "pairing_create", "pairing_created",
   "service_call", "service_response",
   "operator", "person_command", "proposal_decline", "proposal_request", "queued_run_create", "revisions", "run_file",
-  "server_config", "step_request", "stream_request",
+  "server_config", "step_request", "stream_request", "task_test",
 ]);
 
 describe("api/examples", () => {
