@@ -37,17 +37,25 @@ std::string missing_of(const std::set<std::string>& names, const std::vector<Nam
   return missing;
 }
 
+// Whether a call that one takes is taken by the other, too: all but what is for people.
+bool is_alike(const rsm::OperationParameter& a, const rsm::OperationParameter& b) {
+  return a.name == b.name && a.type == b.type && a.unit == b.unit && a.min == b.min && a.max == b.max &&
+         a.value == b.value;
+}
+
 bool has_other_parameters(const std::string& name, const rsm::Service& mine, const rsm::Service& theirs) {
   const rsm::Operation* operation = find_named(mine.operations, name);
   const rsm::Operation* other = find_named(theirs.operations, name);
-  return operation && other && operation->parameters != other->parameters;
+  return operation && other && !std::ranges::equal(operation->parameters, other->parameters, is_alike);
 }
 
 std::optional<Error> what_it_lacks(const std::string& key, const NeededService& needed, const Bundle& bundle,
                                    const ServiceStatus* service) {
   if (!service) return Error{ErrorCode::not_found, "there is no service of this key here", key};
-  if (!needed.type.empty() && needed.type != service->type)
-    return Error{ErrorCode::type, "is of type `" + service->type + "` here, not `" + needed.type + '`', key};
+  const auto said = bundle.types.find(key);
+  const std::string type = needed.type.empty() && said != bundle.types.end() ? said->second : needed.type;
+  if (!type.empty() && type != service->type)
+    return Error{ErrorCode::type, "is of type `" + service->type + "` here, not `" + type + '`', key};
   if (const std::string names = missing_of(needed.operations, service->model->operations); !names.empty())
     return Error{ErrorCode::missing, "has not the operations " + names, key};
   if (const std::string names = missing_of(needed.events, service->model->events); !names.empty())
@@ -73,7 +81,7 @@ void read_bundled_services(const Value& json, Fields& bundle, std::vector<Error>
       continue;
     }
     Fields fields(description, path, "the service", errors, kByField);
-    fields.text("type");
+    if (auto type = fields.text("type")) out.types.emplace(key, std::move(*type));
     const Value* rsm = fields.find("rsm");
     fields.close();
     if (!rsm) continue;

@@ -31,7 +31,8 @@ struct Bundle {
   static constexpr std::size_t kMostServices = 100;
   std::string name;                              // of the document
   Value document;                                // an object
-  std::map<std::string, rsm::Service> services;  // by key, as its author had them; not all of them need be there
+  std::map<std::string, std::string> types;      // of services, by key, as its author had them; where it is known
+  std::map<std::string, rsm::Service> services;  // the same of their RSMs
 };
 
 /// schemas/bundle.json, of a document as it is stored. What `here` does not have is named without an RSM.
@@ -44,7 +45,8 @@ Value bundle_json(const std::string& name, Value document, const NeededServices&
 Checked<Bundle> read_bundle(const std::string& text);
 
 /// What the services of a cell lack to run the task of a bundle: for each that is not right its key as path and the
-/// first of `not_found`: there is none of this key; `type`: it is another one; `missing`: it has not all operations and
+/// first of `not_found`: there is none of this key; `type`: it is another one than the
+/// task or the bundle says; `missing`: it has not all operations and
 /// events that the task names; `conflict`: an operation has other parameters than in the bundle; `unavailable`: its
 /// process is not connected.
 std::vector<Error> lacking(const NeededServices& needed, const Bundle& bundle,

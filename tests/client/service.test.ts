@@ -112,6 +112,12 @@ describe("programs", () => {
     expect((await shown("patience"))?.violations).toEqual([]);
   });
 
+  it("a call that is taken in every state and answered later has the result of its method", async () => {
+    await start();
+    expect((await resultsOf(await begin("svc.patience.begin()", "beginning")))["value"]).toBe("begun");
+    expect((await shown("patience"))?.violations).toEqual([]);
+  });
+
   it("a violation is shown at the line of its declaration", async () => {
     await start();
     await call("lie");

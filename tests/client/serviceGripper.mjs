@@ -49,6 +49,11 @@ class Timer extends Service {
   key = "patience";
   rsm = "patience.rsm.json";
 
+  begin = operation(async (_, { pause }) => {
+    await pause(0.05);
+    return "begun";
+  });
+
   wait = operation(async ({ seconds }, { pause }) => {
     await pause(seconds);
     return seconds;

@@ -39,6 +39,7 @@ class Fileless extends Service {
 class Patient extends Service {
   key = "patience";
   override rsm = join(project, "tests/integration/patience.rsm.json");
+  begin = operation(() => "begun");
   wait = operation(() => 1);
 }
 
@@ -102,6 +103,14 @@ describe("rules of core/SEMANTICS.md, section 5", () => {
     expect(of.take(over, 3).resolved).toEqual([{ call: 3, code: undefined }]);
     expect(of.take(over).resolved).toEqual([{ call: 1, code: undefined }]);
     expect(of.take(end).resolved).toEqual([{ call: 2, code: "ended" }, { call: 4, code: "ended" }]);
+  });
+
+  it("an operation ends the earliest of concurrent calls", () => {
+    const wait = { id: "wait", src: "A", dst: "A", operation: "wait", defer: ["stop"], isConcurrent: true };
+    const stop = { id: "stop", src: "A", dst: "A", operation: "stop", error: "stopped" };
+    const of = machine(wait, stop);
+    for (const call of [1, 2]) of.take(wait, call);
+    expect(of.take(stop, 3).resolved).toEqual([{ call: 1, code: "stopped" }]);
   });
 
   it("an error leads by the transition of its code", () => {

@@ -47,5 +47,9 @@ int main(int argc, char** argv) {
     call.pause(call.number("seconds"));
     return call.number("seconds");
   });
+  timer.operation("begin").does([](Call& call) {
+    call.pause(0.05);
+    return race::Value("begun");
+  });
   return race::client::run(argc, argv, {&gripper, &timer});
 }

@@ -50,6 +50,10 @@ class Timer(Service):
     key = "patience"
     rsm = "patience.rsm.json"
 
+    async def begin(self):
+        await asyncio.sleep(0.05)
+        return "begun"
+
     async def wait(self, seconds):
         await asyncio.sleep(seconds)
         return seconds

@@ -72,10 +72,16 @@ class Bundles(unittest.TestCase):
         client = self.offer(slow)
         self.assertEqual(self.lacking(bundle, "other_parameters"), [("lamp", "conflict")])
         self.assertEqual(self.lacking({**bundle, "services": {}}, "parameters_unknown"), [])
+        told = {**bundle, "services": {"lamp": {"rsm": {**slow, "operations": [{"name": "flip", "error": "any", "parameters": [
+            {"name": "seconds", "doc": "how long"}]}]}}}}
+        self.assertEqual(self.lacking(told, "other_words"), [])
         client.close()
         wait_available(self.server, "lamp", False)
         self.offer(SWITCH, "oven")
         self.assertEqual(self.lacking(bundle, "other_type"), [("lamp", "type")])
+        undeclared = copy.deepcopy(bundle)
+        del undeclared["document"]["services"]
+        self.assertEqual(self.lacking(undeclared, "other_type_than_the_bundle_says"), [("lamp", "type")])
 
     def test_is_installed_as_a_new_document_or_under_a_condition(self):
         bundle = self.bundle()

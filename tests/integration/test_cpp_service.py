@@ -91,6 +91,11 @@ class Programs(unittest.TestCase):
         self.assertEqual(self.server.ended(late)["results"]["value"], 0.6)
         self.assertEqual(service(self.server, "patience")["violations"], [])
 
+    def test_a_call_that_is_taken_in_every_state_and_answered_later_has_the_result_of_its_handler(self):
+        self.start()
+        self.assertEqual(self.results("svc.patience.begin()")["value"], "begun")
+        self.assertEqual(service(self.server, "patience")["violations"], [])
+
     def test_a_violation_is_shown_at_the_line_of_its_declaration(self):
         program = self.start()
         self.call("lie")

@@ -139,6 +139,11 @@ class Programs(unittest.TestCase):
         self.assertEqual(self.server.ended(late)["results"]["value"], 0.6)
         self.assertEqual(service(self.server, "patience")["violations"], [])
 
+    def test_a_call_that_is_taken_in_every_state_and_answered_later_has_the_result_of_its_method(self):
+        self.start()
+        self.assertEqual(self.results("svc.patience.begin()")["value"], "begun")
+        self.assertEqual(service(self.server, "patience")["violations"], [])
+
     def test_a_violation_is_shown_at_the_line_of_its_declaration(self):
         program = self.start()
         self.call("lie")
@@ -314,6 +319,14 @@ class Rules(unittest.TestCase):
         self.assertEqual(machine.take(over, 3)[0], [Resolved(3, None)])
         self.assertEqual(machine.take(over)[0], [Resolved(1, None)])
         self.assertEqual(machine.take(end)[0], [Resolved(2, "ended"), Resolved(4, "ended")])
+
+    def test_an_operation_ends_the_earliest_of_concurrent_calls(self):
+        wait = {"id": "wait", "src": "A", "dst": "A", "operation": "wait", "defer": ["stop"], "concurrent": True}
+        stop = {"id": "stop", "src": "A", "dst": "A", "operation": "stop", "error": "stopped"}
+        machine = self.machine(wait, stop)
+        for call in (1, 2):
+            machine.take(wait, call)
+        self.assertEqual(machine.take(stop, 3)[0], [Resolved(1, "stopped")])
 
     def test_an_error_leads_by_the_transition_of_its_code(self):
         go = {"id": "go", "src": "A", "dst": "B", "operation": "go", "defer": ["jam", "done", "stop"]}

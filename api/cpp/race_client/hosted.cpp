@@ -228,7 +228,7 @@ void Hosted::finish(RunningCall& call) {
 }
 
 // Takes a transition, by the call `number` or to answer that one of several; other calls that it answers, but for
-// `own`, end. So does the one whose place a call takes (R17).
+// `own` and the call that takes it, whose work begins, end. So does the one whose place a call takes (R17).
 void Hosted::follow(const rsm::Transition& transition, services::CallId number, const RunningCall* own) {
   host_->transition(transition.id, number);
   instance_.current = transition.dst;
@@ -242,7 +242,8 @@ void Hosted::follow(const rsm::Transition& transition, services::CallId number, 
   const auto due = rsm::respond(model_, instance_, transition, transition.operation ? 0 : number);
   for (const rsm::Answer& each : due) {
     const auto found = calls_.find(each.call);
-    if (found == calls_.end() || found->second.get() == own) continue;
+    const bool begins = transition.operation && each.call == number;
+    if (begins || found == calls_.end() || found->second.get() == own) continue;
     const std::shared_ptr<RunningCall> other = found->second;
     respond(*other, {Value(), each.is_error ? Value(Dict{{"code", each.error_code}}) : Value()});
   }

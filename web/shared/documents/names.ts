@@ -9,7 +9,7 @@ export const fileOf = (name: string): string => `${name}.rcm.json`;
 
 /** What a file of a bundle is called: a document with the interfaces of its services. */
 export const bundleFileOf = (name: string): string => `${name}.bundle.json`;
-export const isBundleFile = (file: string): boolean => /\.bundle\.json$/i.test(file);
+export const isBundleFile = (file: string): boolean => /\.bundle( ?\(\d+\))?\.json$/i.test(file);
 
 /** Why there can be no new document of this name, of those that are `taken`; nothing if there can. */
 export function nameRefusal(name: string, taken: ReadonlySet<string>): string | undefined {

@@ -22,7 +22,7 @@ export const offeredOperations = ({ key, rsm }: KnownService): readonly RsmOpera
 
 /** A longer text is no hint; an edit has a bound, too. */
 const kMostDoc = 1000;
-const shortened = (text: string): string => (text.length > kMostDoc ? `${text.slice(0, kMostDoc - 1)}…` : text);
+const shortened = (text: string): string => (text.length > kMostDoc ? `${Array.from(text).slice(0, kMostDoc - 1).join("")}…` : text);
 
 /** About a hundredth of the range, as 1, 2 or 5 of a power of ten; nothing for whole numbers and without a range. */
 function stepOf({ type, min, max }: RsmParameter): number | undefined {

@@ -21,6 +21,7 @@ describe("a file that is uploaded", () => {
   it("is a bundle by its name, and no draft if it has errors", () => {
     const bundle = applyUpload([], { type: "added", number: 1, file: "pick.bundle.json", size: 10 })[0]?.target;
     expect(bundle).toEqual({ name: "pick", bundle: true });
+    expect(applyUpload([], { type: "added", number: 1, file: "pick.bundle (1).json", size: 10 })[0]?.target.bundle, "saved a second time").toBe(true);
     expect(failed({ name: "pick", bundle: true }, new RaceError(422, [error], { moreErrors: false }))).toMatchObject({ next: "never" });
   });
   it("can be sent under another name, and others are as they were", () => {

@@ -174,12 +174,12 @@ class Hosted:
         self._respond(call, value, error)
 
     def _take(self, transition: Transition, number: int = 0, own: RunningCall | None = None) -> None:
-        """Takes a transition; what it answers, but for `own`, ends."""
+        """Takes a transition; what it answers, but for `own` and the call that takes it, whose work begins, ends."""
         self.announce({"type": "transition", "id": transition["id"], **({"call": number} if number else {})})
         resolved, superseded = self._machine.take(transition, number)
         for each in resolved:
             other = self._calls.get(each.call)
-            if other is not None and other is not own:
+            if other is not None and other is not own and each.call != number:
                 self._respond(other, None, {"code": each.code} if each.code else None)
                 self._end(other)
         if superseded in self._calls:

@@ -36,12 +36,13 @@ class Machine:
         """Takes it: the calls that it answers, and the one that has no answer any more, as this call has its place (0: none)."""
         self.state = transition["dst"]
         superseded = 0
+        named = 0 if transition.get("operation") else call  # by an operation: it has a call of its own
         if transition.get("operation") and transition.get("defer"):
             waiting = self._deferred.setdefault(transition["id"], [])
             if waiting and not transition.get("concurrent"):
                 superseded = waiting.pop()
             waiting.append(call)
-        return [Resolved(each, transition.get("error")) for each in self._answered_by(transition, call)], superseded
+        return [Resolved(each, transition.get("error")) for each in self._answered_by(transition, named)], superseded
 
     def ending(self, transition: Transition, code: str | None) -> Transition | None:
         """The transition that answers a call that `transition` took: with an error of this code, or with a result."""

@@ -165,13 +165,13 @@ export class Hosted implements Host {
     this.respond(call, outcome);
   }
 
-  /** Takes a transition, by a call (0: by none); what it answers, but for `own`, ends. */
+  /** Takes a transition, by a call (0: by none); what it answers, but for `own` and that call, whose work begins, ends. */
   private takeBy(transition: Transition, number = 0, own?: Call): void {
     this.announce({ type: "transition", id: transition.id, ...(number === 0 ? {} : { call: number }) });
     const { resolved, superseded } = this.machine.take(transition, number);
     for (const { call, code } of resolved) {
       const other = this.calls.get(call);
-      if (other === undefined || other === own) continue;
+      if (other === undefined || other === own || call === number) continue;
       this.respond(other, code === undefined ? { value: null } : { error: { code } });
       other.stop();
     }

@@ -46,7 +46,7 @@ export class Machine {
   take(transition: Transition, call = 0): Taken {
     this.state = transition.dst;
     const superseded = transition.operation !== undefined && isDeferring(transition) ? this.wait(transition, call) : 0;
-    const resolved = this.answeredBy(transition, call).map((each) => ({ call: each, code: transition.error }));
+    const resolved = this.answeredBy(transition, transition.operation === undefined ? call : 0).map((each) => ({ call: each, code: transition.error }));
     return { resolved, superseded };
   }
 
