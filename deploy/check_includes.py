@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""check_includes.py [FOLDER]: the folders of core, services, api and server form no cycle by their includes, rooms point one way, and
+"""check_includes.py [FOLDER]: the folders of core, services, server and api form no cycle by their includes, rooms point one way, and
 some headers are for some folders alone.
 
 Prints each violation with an include that causes it; exit status 1 if there is one.

@@ -228,7 +228,8 @@ void Hosted::finish(RunningCall& call) {
 }
 
 // Takes a transition, by the call `number` or to answer that one of several; other calls that it answers, but for
-// `own` and the call that takes it, whose work begins, end. So does the one whose place a call takes (R17).
+// `own` and the call that takes it, whose work begins, end (core/SEMANTICS.md section 5, resolve). So does the one
+// whose place a call takes (R17).
 void Hosted::follow(const rsm::Transition& transition, services::CallId number, const RunningCall* own) {
   host_->transition(transition.id, number);
   instance_.current = transition.dst;
