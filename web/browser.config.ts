@@ -1,4 +1,4 @@
-// Browser tests: the built pages in Chromium on a real server. Two files at once, as most of their time is that of the robot; then those that load would disturb, one after the other.
+// Browser tests: the built pages in Chromium on a real server. Three files at once, as most of their time is that of the robot; then those that load would disturb, one after the other.
 import { fileURLToPath } from "node:url";
 import { defineConfig, type TestProjectConfiguration } from "vitest/config";
 
@@ -28,4 +28,4 @@ const projects: TestProjectConfiguration[] = [
   { ...common, test: { ...tests, name: "alone", include: alone, poolOptions: { forks: { singleFork: true } } } },
 ];
 
-export default defineConfig({ ...common, test: { globalSetup: here("../tests/browser/chromium.ts"), maxWorkers: 2, minWorkers: 1, projects } });
+export default defineConfig({ ...common, test: { globalSetup: here("../tests/browser/chromium.ts"), maxWorkers: 3, minWorkers: 1, projects } });
