@@ -101,7 +101,7 @@ describe("a person who is lost with the page that moves the arm", () => {
     await expect.poll(robot.moves).toBe(true);
     await fixture.page.waitForTimeout(700);
     // Who has lost the controls meanwhile, as above, is measured no more; the page says it a moment later.
-    if (!robot.moves()) await until(isLost);
+    if (!(await robot.moves())) await until(isLost);
     return label;
   }
 
