@@ -90,6 +90,8 @@ export async function expectStill(page: Page, names: readonly string[], prepare:
     await comes();
     expect(await boxes(), `${what} has come`).toEqual(before);
     await goes();
+    // Another page, which has been opened for it, may have taken so long that this one has lost the controls.
+    await prepare();
     expect(await boxes(), `${what} has gone`).toEqual(before);
   }
 }
