@@ -198,7 +198,8 @@ class RobotFolders(unittest.TestCase):
 
     def test_what_is_committed_is_what_is_generated(self):
         for script in ("make_meshes.py", "make_urdfs.py"):
-            answer = subprocess.run([sys.executable, "-B", ROBOTS / script, "--check"], capture_output=True, text=True, timeout=60)
+            command = [sys.executable, "-B", ROBOTS / script, "--check"]
+            answer = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
             self.assertEqual((answer.returncode, answer.stdout, answer.stderr), (0, "", ""))
 
 
