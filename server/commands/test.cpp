@@ -30,6 +30,11 @@ struct Options {
   bool coverage = false, json = false, watch = false;
 };
 
+std::size_t count_failed(const std::vector<TestOutcome>& outcomes) {
+  const auto failed = std::ranges::count_if(outcomes, [](const TestOutcome& each) { return !each.findings.empty(); });
+  return static_cast<std::size_t>(failed);
+}
+
 void print(const TestOutcome& outcome) {
   std::printf("%s  %s: %s  (%.3f s of world time, seed %" PRIu64 ")\n", outcome.findings.empty() ? "ok  " : "FAIL",
               outcome.file.c_str(), outcome.name.c_str(), outcome.time, outcome.seed);
@@ -76,30 +81,40 @@ void print_json(const std::vector<TestOutcome>& outcomes, const PreparedTests& p
   std::printf("%s\n", to_json(Value(std::move(out)), 1).c_str());
 }
 
-int run_tests(const std::vector<std::string>& paths, const Options& options) {
+// What became of the tests of these files, which is printed; nothing: what is wrong was said, and no test counts.
+std::optional<std::vector<TestOutcome>> run_files(const std::vector<std::string>& paths, const Options& options) {
   auto prepared = prepare_tests(paths);
-  if (!prepared) return refuse(prepared.error(), options.json);
+  if (!prepared) return refuse(prepared.error(), options.json), std::nullopt;
   std::vector<TestOutcome> outcomes;
   for (const PreparedTest& each : prepared->tests) {
     const auto given = static_cast<std::uint64_t>(options.seed);
     const std::uint64_t seed = options.seeded ? given : each.test.seed.value_or(given);
     auto outcome = run_test(each, seed, prepared->coverage[each.model_file]);
-    if (!outcome) return refuse(outcome.error(), options.json);
+    if (!outcome) return refuse(outcome.error(), options.json), std::nullopt;
     outcomes.push_back(std::move(*outcome));
     if (!options.json) print(outcomes.back());
   }
-  const auto failed = std::ranges::count_if(outcomes, [](const TestOutcome& each) { return !each.findings.empty(); });
   if (options.json) {
     print_json(outcomes, *prepared, options.coverage);
   } else {
-    std::printf("%zu tests, %zu failed\n", outcomes.size(), static_cast<std::size_t>(failed));
+    std::printf("%zu tests, %zu failed\n", outcomes.size(), count_failed(outcomes));
     if (options.coverage)
       for (const auto& [file, coverage] : prepared->coverage) print(file, coverage);
   }
+  return outcomes;
+}
+
+// Of all tests: the exit code, and the file of --junit.
+int conclude(const std::vector<TestOutcome>& outcomes, const Options& options) {
   if (options.junit)
     if (auto written = write_file(*options.junit, junit_xml(outcomes), kReadableByAll); !written)
       return refuse(written.error());
-  return failed == 0 ? kExitOk : kExitFindings;
+  return count_failed(outcomes) == 0 ? kExitOk : kExitFindings;
+}
+
+int run_tests(const Options& options) {
+  const auto outcomes = run_files(options.paths, options);
+  return outcomes ? conclude(*outcomes, options) : kExitBadInput;
 }
 
 // A test that its own model and cell cannot have is not kept.
@@ -113,7 +128,7 @@ int make_test(const Options& options) {
     std::remove(path.c_str());
     return refuse(prepared.error(), options.json);
   }
-  return run_tests(options.paths, options);
+  return run_tests(options);
 }
 
 int test(const Options& options) {
@@ -126,8 +141,11 @@ int test(const Options& options) {
   if (options.watch && std::ranges::find(options.paths, kStandardInput) != options.paths.end())
     return conflict("--watch", "the standard input does not change");
   if (options.from) return make_test(options);
-  if (options.watch) watch_tests(options.paths, [&](const auto& paths) { return run_tests(paths, options); });
-  return run_tests(options.paths, options);
+  if (options.watch)
+    watch_tests(
+        options.paths, [&](const auto& paths) { return run_files(paths, options); },
+        [&](const auto& outcomes) { return conclude(outcomes, options); });
+  return run_tests(options);
 }
 
 std::function<int()> declare(Arguments& arguments) {

@@ -1,10 +1,10 @@
 #include "server/commands/watch_tests.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <thread>
 #include <utility>
 
@@ -62,31 +62,65 @@ std::map<std::string, Stamps> look_at(const std::vector<std::string>& paths) {
   return all;
 }
 
+// What is known of the files and of their last run.
+class WatchedTests {
+ public:
+  WatchedTests(const std::vector<std::string>& paths, const RunTestFiles& run, const ConcludeTests& conclude)
+      : paths_(paths), run_(run), conclude_(conclude) {}
+
+  /// Runs what has changed since; the exit code, if anything has. They are looked at before they are run: what changes
+  /// meanwhile is seen.
+  std::optional<int> round() {
+    std::map<std::string, Stamps> now = look_at(paths_);
+    bool is_same = now.size() == known_.size();
+    std::vector<std::string> concerned;
+    for (const auto& [file, stamps] : now) {
+      const auto before = known_.find(file);
+      const bool is_changed = before == known_.end() || before->second != stamps;
+      is_same = is_same && !is_changed;
+      if (is_changed || refused_.contains(file)) concerned.push_back(file);
+    }
+    known_ = std::move(now);
+    if (is_same) return {};
+    std::erase_if(outcomes_, [&](const auto& entry) { return !known_.contains(entry.first); });
+    run(concerned);
+    return refused_.empty() ? conclude_(all_outcomes()) : kExitBadInput;
+  }
+
+ private:
+  void run(const std::vector<std::string>& files) {
+    refused_.clear();
+    if (files.empty()) return;
+    auto outcomes = run_(files);
+    if (!outcomes) return refused_.insert(files.begin(), files.end());
+    for (const std::string& file : files) outcomes_[file].clear();
+    for (TestOutcome& each : *outcomes) outcomes_[each.file].push_back(std::move(each));
+  }
+
+  std::vector<TestOutcome> all_outcomes() const {
+    std::vector<TestOutcome> all;
+    for (const auto& [file, outcomes] : outcomes_) all.insert(all.end(), outcomes.begin(), outcomes.end());
+    return all;
+  }
+
+  const std::vector<std::string>& paths_;
+  const RunTestFiles& run_;
+  const ConcludeTests& conclude_;
+  std::map<std::string, Stamps> known_;
+  std::set<std::string> refused_;                             // with one that is wrong, in the last round
+  std::map<std::string, std::vector<TestOutcome>> outcomes_;  // the last ones of each file
+};
+
 }  // namespace
 
-// They are looked at before they are run: what changes meanwhile is seen.
-void watch_tests(const std::vector<std::string>& paths, const RunTestFiles& run) {
+void watch_tests(const std::vector<std::string>& paths, const RunTestFiles& run, const ConcludeTests& conclude) {
   end_on_signal(kExitOk);
-  std::map<std::string, Stamps> known;
-  std::map<std::string, int> codes;
+  WatchedTests tests(paths, run, conclude);
   for (;; std::this_thread::sleep_for(kPollPause)) {
-    std::map<std::string, Stamps> now = look_at(paths);
-    std::vector<std::string> concerned;
-    for (const auto& [file, stamps] : now)
-      if (const auto before = known.find(file); before == known.end() || before->second != stamps)
-        concerned.push_back(file);
-    const bool is_same = concerned.empty() && now.size() == known.size();
-    known = std::move(now);
-    if (is_same) continue;
-    if (!concerned.empty()) {
-      const int code = run(concerned);
-      for (const std::string& file : concerned) codes[file] = code;
-    }
-    std::erase_if(codes, [&](const auto& entry) { return !known.contains(entry.first); });
-    int worst = kExitOk;
-    for (const auto& [file, code] : codes) worst = std::max(worst, code);
-    end_on_signal(worst);
-    std::fprintf(stderr, "waiting for changes; Ctrl-C ends it, with exit code %d\n", worst);
+    const std::optional<int> code = tests.round();
+    if (!code) continue;
+    end_on_signal(*code);
+    std::fprintf(stderr, "waiting for changes; Ctrl-C ends it, with exit code %d\n", *code);
   }
 }
 

@@ -122,6 +122,15 @@ class Mocks(TestCase):
         self.assertEqual(self.findings(test), [[]])
 
 
+    def test_a_service_is_no_timer_because_its_rsm_is_called_so(self):
+        self.write("cell.json", {"cell": 1, "services": {}, "expects": {"oven": {"type": "oven", "rsm": "oven.rsm.json"}}})
+        for name in ("oven", "timer", "database"):
+            with self.subTest(name=name):
+                self.write("oven.rsm.json", {**OVEN, "name": name})
+                test = {"name": "opens", "state": "Open", "arguments": {"why": 1}, "expect": {"outcome": "open"}}
+                self.assertEqual(self.findings(test), [[]])
+
+
 class Output(TestCase):
     def test_coverage_names_what_no_test_has_come_to(self):
         _, output = self.run_tests(test_of(answers=[{"result": 1}]), words=("--coverage",))
@@ -248,8 +257,8 @@ class Watch(TestCase):
         self.write("b.test.json", {"race_test": 1, "model": "open.rcm.json", "tests": [test_of("b", expect={"outcome": "open"})]})
         self.write("open.rcm.json", models.document("open", {
             "state": "Open", "entry": "svc.oven.open()", "ports": [{"name": "open", "when": "svc.oven.open.result is None"}]}))
-        self.process = subprocess.Popen([PROGRAM, "test", "--watch", "."], cwd=self.folder, text=True, stdout=subprocess.PIPE,
-                                        stderr=subprocess.STDOUT)
+        self.process = subprocess.Popen([PROGRAM, "test", "--watch", "--junit", "out.xml", "."], cwd=self.folder, text=True,
+                                        stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         self.addCleanup(self.process.stdout.close)
         self.addCleanup(self.process.wait, TIMEOUT)
         self.addCleanup(self.process.kill)
@@ -286,6 +295,47 @@ class Watch(TestCase):
         self.write("open.rcm.json", self.folder.joinpath("open.rcm.json").read_text() + "\n")
         self.assertEqual(self.round()[-1], "1 tests, 0 failed")
         self.assertEqual(self.ended(signal.SIGTERM), 1)
+
+    def junit(self):
+        """(name, whether it passed) of each test in the file of --junit."""
+        cases = ET.parse(self.folder / "out.xml").getroot().findall("testsuite/testcase")
+        return [(case.get("name"), case.find("failure") is None) for case in cases]
+
+    def test_each_file_counts_with_its_own_last_result(self):
+        self.round()
+        self.write("a.test.json", {"race_test": 1, "model": "baking.rcm.json", "tests": [test_of("a", [{"error": {"code": "burnt"}}])]})
+        self.round()
+        self.write("oven.rsm.json", json.dumps(OVEN) + "\n")  # both run, and one fails
+        self.assertEqual(self.round()[-1], "2 tests, 1 failed")
+        self.assertEqual(self.junit(), [("a", False), ("b", True)])
+        self.write("a.test.json", {"race_test": 1, "model": "baking.rcm.json", "tests": [test_of("a", [{"result": 1}])]})
+        self.assertEqual(self.round()[-1], "1 tests, 0 failed")
+        self.assertEqual(self.junit(), [("a", True), ("b", True)])
+        self.assertEqual(self.ended(), 0)
+
+    def test_what_a_wrong_file_has_kept_from_running_runs_when_it_is_right(self):
+        self.round()
+        self.write("oven.rsm.json", "{")
+        self.assertIn("./oven.rsm.json: json: ", "\n".join(self.round()))
+        self.folder.joinpath("a.test.json").unlink()
+        self.assertIn("./b.test.json: tests/0/services/oven/rsm: reference: ", "\n".join(self.round()))
+        self.assertEqual(self.junit(), [("a", True), ("b", True)])  # of the last run that was not refused
+        self.write("oven.rsm.json", OVEN)
+        self.assertEqual(self.round(), ["ok    ./b.test.json: b", "1 tests, 0 failed"])
+        self.assertEqual(self.junit(), [("b", True)])
+        self.assertEqual(self.ended(), 0)
+
+    def test_while_a_file_is_wrong_the_code_is_that_of_wrong_files(self):
+        self.round()
+        self.write("a.test.json", "{")
+        self.round()
+        self.write("open.rcm.json", self.folder.joinpath("open.rcm.json").read_text() + "\n")
+        self.assertRegex(self.round()[0], r"\A\./a\.test\.json: json: ")
+        self.write("a.test.json", {"race_test": 1, "model": "baking.rcm.json", "tests": [test_of("a", [{"result": 1}])]})
+        self.assertEqual(self.round()[:2], ["ok    ./a.test.json: a", "ok    ./b.test.json: b"])
+        self.write("a.test.json", "{")
+        self.round()
+        self.assertEqual(self.ended(), 2)
 
     def test_a_wrong_file_is_said_and_read_again(self):
         self.round()
