@@ -64,6 +64,8 @@ class Cell {
   Cell(const Cell&) = delete;
   Cell& operator=(const Cell&) = delete;
 
+  /// What its folder says that it is.
+  const CellFile& file() const { return file_; }
   services::Host& host() { return host_; }
   /// The services whose components live in other processes.
   remote::Remotes& remotes() { return *remotes_; }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <set>
+#include <string_view>
 #include <utility>
 
 #include "core/rcm/document.h"
@@ -24,8 +26,18 @@ class Silent final : public services::HostObserver {
   void logged(services::Time, const std::string&, const std::string&) override {}
 };
 
-// Of a service that a test without the cell has, too.
-bool is_real(const rsm::Service& service) { return service.name == kDatabaseType || service.name == kTimerType; }
+struct CellServices {
+  Interfaces models;           // by key
+  std::set<std::string> real;  // its timer and database, which a test without the cell has, too
+};
+
+// Any service may call its RSM `timer`: what a service is, the cell says.
+std::set<std::string> real_services(const CellFile& cell) {
+  std::set<std::string> keys;
+  for (const std::string_view type : {kDatabaseType, kTimerType})
+    if (auto key = cell.key_of(type)) keys.insert(std::move(*key));
+  return keys;
+}
 
 class Preparation {
  public:
@@ -62,7 +74,7 @@ class Preparation {
   struct Model {
     rcm::Document document;
     std::string folder;
-    Interfaces services;  // of its cell
+    CellServices cell;
   };
 
   void fail(const std::string& file, std::vector<Error> errors) {
@@ -93,14 +105,14 @@ class Preparation {
     }
     std::string folder = fs::path(file).parent_path().string();
     if (folder.empty()) folder = ".";
-    const Interfaces* services = services_of(folder);
-    if (!services) return nullptr;
-    model = Model{std::move(*document), std::move(folder), *services};
+    const CellServices* cell = services_of(folder);
+    if (!cell) return nullptr;
+    model = Model{std::move(*document), std::move(folder), *cell};
     count_elements(file, *model);
     return &*model;
   }
 
-  const Interfaces* services_of(const std::string& folder) {
+  const CellServices* services_of(const std::string& folder) {
     if (const auto known = cells_.find(folder); known != cells_.end()) return &known->second;
     Silent silent;
     display::Screens screens;
@@ -114,7 +126,7 @@ class Preparation {
       fail("", cell.error());
       return nullptr;
     }
-    const Interfaces& services = cells_[folder] = (*cell)->host().models();
+    const CellServices& services = cells_[folder] = {(*cell)->host().models(), real_services((*cell)->file())};
     (*cell)->stop();
     return &services;
   }
@@ -125,7 +137,7 @@ class Preparation {
     const auto add = [&](const rcm::Document& document, const std::string& library) {
       const auto native = rcm::translate(document);
       if (!native) return;
-      if (const auto program = semantics::Program::build(*native, model.services))
+      if (const auto program = semantics::Program::build(*native, model.cell.models))
         coverage.add(**program, native->origin, library);
     };
     add(model.document, "");
@@ -141,8 +153,8 @@ class Preparation {
     out.model_file = model_file;
     out.folder = model.folder;
     std::vector<Error> errors;
-    out.mocks = mocks_of(file, path, test, model.services, errors);
-    Interfaces services = model.services;
+    out.mocks = mocks_of(file, path, test, model.cell, errors);
+    Interfaces services = model.cell.models;
     for (const auto& [key, service] : out.mocks) services[key] = service;
     out.document = model.document;
     if (test.state) {
@@ -166,12 +178,13 @@ class Preparation {
   }
 
   // The RSMs of the mocks of a test: those that it lists, and without the cell, all other services of that.
-  Interfaces mocks_of(const std::string& file, const std::string& path, const ModelTest& test,
-                      const Interfaces& of_cell, std::vector<Error>& errors) {
+  Interfaces mocks_of(const std::string& file, const std::string& path, const ModelTest& test, const CellServices& cell,
+                      std::vector<Error>& errors) {
+    const Interfaces& of_cell = cell.models;
     Interfaces mocks;
     if (!test.cell)
       for (const auto& [key, service] : of_cell)
-        if (!is_real(service) && !service.is_interface()) mocks[key] = service;
+        if (!cell.real.contains(key) && !service.is_interface()) mocks[key] = service;
     for (const auto& [key, script] : test.services) {
       const std::string at = path + "/services/" + key;
       const auto known = of_cell.find(key);
@@ -208,7 +221,7 @@ class Preparation {
   }
 
   std::map<std::string, std::optional<Model>> models_;
-  std::map<std::string, Interfaces> cells_;  // by folder
+  std::map<std::string, CellServices> cells_;  // by folder
   PreparedTests prepared_;
   std::vector<FileErrors> errors_;
 };
