@@ -162,6 +162,39 @@ describe("what a service says", () => {
   });
 });
 
+describe("silence", () => {
+  class Cart extends Service {
+    key = "cart";
+    ended: string[] = [];
+    lift = operation({ moves: true, busy: "Lifting" }, async (_, { pause }) => await pause(600).finally(() => this.ended.push("lift")));
+    drive = operation({ moves: true }, async (_, { pause }) => await pause(600).finally(() => this.ended.push("drive")));
+    brake = operation({ safe: true }, async (_, { pause }) => await pause(0.1));
+  }
+  class Simple extends Cart {
+    override rsm = { rsm: 1, name: "simple", events: [], operations: [{ name: "drive", moves: true, error: "any" }, { name: "brake", safe: true, error: "any" }] };
+  }
+
+  /** What answers each of these calls when the service hears nothing then. */
+  async function afterSilence(service: Service, ...names: readonly string[]): Promise<readonly JsonValue[]> {
+    const said: JsonObject[] = [];
+    const hosted = new Hosted(service, () => undefined);
+    hosted.connected((message) => said.push(message));
+    for (const [index, operation] of names.entries()) hosted.received({ type: "call", key: service.key, call: index + 1, operation, args: [], kwargs: {} });
+    await new Promise((begun) => setTimeout(begun));
+    await hosted.silent();
+    const answer = (number: number) => said.find(({ type, call }) => (type === "result" || type === "error") && call === number);
+    await vi.waitFor(() => expect(names.every((_, index) => answer(index + 1) !== undefined)).toBe(true));
+    return [hosted.state, ...names.map((_, index) => (answer(index + 1)?.["error"] as JsonObject | undefined)?.["code"] ?? "result")];
+  }
+
+  it("silence ends what is under way but for what is safe", async () => {
+    const [cart, simple] = [new Cart(), new Simple()];
+    expect(await afterSilence(cart, "lift", "drive", "brake")).toEqual(["Ready", "stopped", "stopped", "result"]);
+    expect(await afterSilence(simple, "drive", "brake")).toEqual(["", "stopped", "result"]);
+    expect([cart.ended.sort(), simple.ended]).toEqual([["drive", "lift"], ["drive"]]);
+  });
+});
+
 describe("calls at work", () => {
   class Busy extends Service {
     key = "busy";

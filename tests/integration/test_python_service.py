@@ -415,5 +415,66 @@ class Bounds(unittest.TestCase):
         asyncio.run(asyncio.wait_for(talk(), TIMEOUT))
 
 
+class Silence(unittest.TestCase):
+    """What is under way when nothing was heard for too long, without a server."""
+
+    def after_silence(self, service, *names):
+        """(the state, the answer of each call) of a service that is called, and then hears nothing."""
+        async def talk():
+            said = []
+            hosted = Hosted(service)
+            hosted.connected(said.append)
+            for number, name in enumerate(names, 1):
+                hosted.received({"type": "call", "key": service.key, "call": number, "operation": name, "args": [], "kwargs": {}})
+            while len(service.begun) < len(names):
+                await asyncio.sleep(0.001)
+            await hosted.silent()
+            while len(set(service.ended)) < len(names):
+                await asyncio.sleep(0.001)
+            answers = {each["call"]: each for each in said if each["type"] in ("result", "error")}
+            return hosted.state, [answers[number].get("error", {}).get("code", "result") for number, _ in enumerate(names, 1)]
+
+        service.begun, service.ended = [], []
+        return asyncio.run(asyncio.wait_for(talk(), TIMEOUT))
+
+    def test_silence_ends_what_is_under_way_but_for_what_is_safe(self):
+        class Cart(Service):
+            key = "cart"
+
+            async def work(self, seconds):
+                self.begun.append(seconds)
+                try:
+                    await asyncio.sleep(seconds)
+                finally:
+                    self.ended.append(seconds)
+
+            @operation(moves=True, busy="Lifting")
+            async def lift(self):
+                await self.work(600)
+
+            @operation(moves=True)
+            async def drive(self):
+                await self.work(601)
+
+            @operation(moves=True)
+            def roll(self):
+                self.begun.append(602)
+                try:
+                    self.pause(602)
+                finally:
+                    self.ended.append(602)
+
+            @operation(safe=True)
+            async def brake(self):
+                await self.work(0.1)
+
+        class Simple(Cart):
+            rsm = {"rsm": 1, "name": "simple", "events": [],
+                   "operations": [{"name": "drive", "moves": True, "error": "any"}, {"name": "brake", "safe": True, "error": "any"}]}
+
+        self.assertEqual(self.after_silence(Cart(), "lift", "drive", "roll", "brake"), ("Ready", ["stopped", "stopped", "stopped", "result"]))
+        self.assertEqual(self.after_silence(Simple(), "drive", "brake"), ("", ["stopped", "result"]))
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -61,9 +61,9 @@ class Hosted:
         await self._halt()
 
     async def silent(self) -> None:
-        """Nothing was heard for too long: what is under way ends, and is answered."""
+        """Nothing was heard for too long: what is under way ends, and is answered. What is safe and not busy goes on: it ends a motion."""
         for call in list(self._calls.values()):
-            if call.transition.get("defer"):
+            if call.transition.get("defer") or not self._operations[call.operation].get("safe"):
                 self._answer(call, None, {"code": "stopped", "message": "the server is silent"})
                 self._end(call)
         await self._halt()

@@ -68,9 +68,10 @@ export class Hosted implements Host {
     await this.halt();
   }
 
-  /** Nothing was heard for too long: what is under way ends, and is answered. */
+  /** Nothing was heard for too long: what is under way ends, and is answered. What is safe and not busy goes on: it ends a motion. */
   async silent(): Promise<void> {
-    for (const call of [...this.calls.values()].filter(({ transition }) => isDeferring(transition))) {
+    const goesOn = ({ transition, operation }: Call): boolean => !isDeferring(transition) && this.operations.get(operation)?.isSafe === true;
+    for (const call of [...this.calls.values()].filter((each) => !goesOn(each))) {
       this.answer(call, { error: { code: "stopped", message: "the server is silent" } });
       call.stop();
     }
