@@ -7,6 +7,7 @@ import { project } from "./servers";
 const kOnlyPython: Readonly<Record<string, string>> = {
   "a connection that cannot be looked at is closed": "fetch looks after its connections",
   "a file of an authority that cannot be used is named": "browser and Node read the authorities that they trust",
+  "a module that is saved twice in a second is read anew": "Node keeps no compiled files",
   "a program with many files keeps its connections": "select is Python's",
   "both clients offer the same and say what it is": "there is one client in TypeScript",
   "the example of the package is the demo": "there is no such example",

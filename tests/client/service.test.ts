@@ -219,4 +219,36 @@ describe("programs", () => {
     expect(await program.end("SIGINT")).toBe(0);
     await available("grip", false);
   });
+
+  const version = (is: string): Promise<void> =>
+    eventually(async () => {
+      const grip = await shown();
+      return grip?.available === true && JSON.stringify(grip.rsm.meta) === JSON.stringify({ version: is });
+    }, () => program.said);
+
+  it("what is saved while it starts is taken over", async () => {
+    await serve();
+    const saving = `import { existsSync, readFileSync, writeFileSync } from "node:fs";
+if (!process.argv.includes("--reload") && !existsSync("saved")) {
+  writeFileSync("saved", "");
+  writeFileSync("gripper.mjs", readFileSync("gripper.mjs", "utf8").replaceAll('"1.2"', '"1.3"'));
+}
+`;
+    program = make(saving + programText).start({ options: ["--reload"] });
+    await version("1.3");
+  });
+
+  it("it does not begin anew while another file has a slip", async () => {
+    await serve();
+    program = make().start({ options: ["--reload"] });
+    await version("1.2");
+    const other = join(program.folder, "other.json");
+    writeFileSync(other, "{");
+    await program.waitFor(/other\.json:1: error: /);
+    program.save(programText.replace('"1.2"', '"1.3"'));
+    await program.waitFor(/other\.json:1: error: /, 2);
+    writeFileSync(other, "{}");
+    await version("1.3");
+    expect(program.said.match(/saved: begins anew/g)).toHaveLength(1);
+  });
 });

@@ -1,5 +1,6 @@
 """Services of one's own in Python (race_client.service): programs at a server, and the rules of their parts without one."""
 import asyncio
+import os
 import re
 import shutil
 import signal
@@ -9,6 +10,7 @@ import tempfile
 import time
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import models
 from client import TIMEOUT, Server
@@ -220,6 +222,57 @@ class Reloading(unittest.TestCase):
             server.wait_for(lambda: service(server, "grip")["available"] and service(server, "grip")["rsm"]["meta"] == {"version": "1.2"})
             self.assertEqual(program.end(signal.SIGINT), 0)
             wait_available(server, "grip", False)
+
+    def reloaded(self, server, text):
+        """A program with this text that begins anew when a file is saved: itself, and its file."""
+        held = tempfile.TemporaryDirectory()
+        self.addCleanup(held.cleanup)
+        path = Path(held.name, "gripper.py")
+        path.write_text(text)
+        shutil.copy(HERE / "patience.rsm.json", path.parent)
+        return Program(self, server, path, "--reload"), path
+
+    def wait_version(self, server, version):
+        server.wait_for(lambda: (grip := service(server, "grip")) and grip["available"] and grip["rsm"]["meta"] == {"version": version})
+
+    def test_what_is_saved_while_it_starts_is_taken_over(self):
+        saving = ('own = Path(__file__)\nif "--reload" not in sys.argv and not own.with_name("saved").exists():\n'
+                  '    own.with_name("saved").touch()\n    own.write_text(own.read_text().replace(\'"1.2"\', \'"1.3"\'))\n\n')
+        with Server(*LONG_HEARTBEAT) as server:
+            self.reloaded(server, PROGRAM.read_text().replace("if __name__", saving + "if __name__"))
+            self.wait_version(server, "1.3")
+
+    def test_it_does_not_begin_anew_while_another_file_has_a_slip(self):
+        with Server(*LONG_HEARTBEAT) as server:
+            program, path = self.reloaded(server, PROGRAM.read_text())
+            self.wait_version(server, "1.2")
+            (path.parent / "other.json").write_text("{")
+            program.wait_for(r"other\.json:1: error: ")
+            path.write_text(PROGRAM.read_text().replace('"1.2"', '"1.3"'))
+            program.wait_for(r"other\.json:1: error: ", 2)
+            (path.parent / "other.json").write_text("{}")
+            self.wait_version(server, "1.3")
+            self.assertEqual(len(re.findall("saved: begins anew", program.said())), 1)
+
+    def test_a_module_that_is_saved_twice_in_a_second_is_read_anew(self):
+        def save(version, time_ns):
+            new = path.parent / "version.new"
+            new.write_text(f'VERSION = "{version}"\n')
+            os.utime(new, ns=(time_ns, time_ns))
+            new.replace(path.parent / "version.py")
+
+        text = PROGRAM.read_text().replace('version = "1.2"', "version = VERSION")
+        with Server(*LONG_HEARTBEAT) as server, tempfile.TemporaryDirectory() as folder:
+            compiling = mock.patch.object(Program, "runner", ("/usr/bin/python3", "-X", f"pycache_prefix={folder}/compiled"))
+            path = Path(folder, "gripper.py")
+            save("1.2", 1_700_000_000_000_000_000)
+            path.write_text(text.replace("import sys\n", "import sys\nfrom version import VERSION\n", 1))
+            shutil.copy(HERE / "patience.rsm.json", folder)
+            with compiling:
+                Program(self, server, path, "--reload")
+            self.wait_version(server, "1.2")
+            save("1.3", 1_700_000_000_500_000_000)
+            self.wait_version(server, "1.3")
 
 
 class Declarations(unittest.TestCase):
@@ -472,7 +525,8 @@ class Silence(unittest.TestCase):
             rsm = {"rsm": 1, "name": "simple", "events": [],
                    "operations": [{"name": "drive", "moves": True, "error": "any"}, {"name": "brake", "safe": True, "error": "any"}]}
 
-        self.assertEqual(self.after_silence(Cart(), "lift", "drive", "roll", "brake"), ("Ready", ["stopped", "stopped", "stopped", "result"]))
+        ended = ("Ready", ["stopped", "stopped", "stopped", "result"])
+        self.assertEqual(self.after_silence(Cart(), "lift", "drive", "roll", "brake"), ended)
         self.assertEqual(self.after_silence(Simple(), "drive", "brake"), ("", ["stopped", "result"]))
 
 

@@ -4,6 +4,9 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Iterable
+from contextlib import suppress
+from importlib.util import cache_from_source
 from pathlib import Path
 from typing import NoReturn
 
@@ -29,6 +32,7 @@ def run_anew_when_saved() -> NoReturn:
     try:
         while True:
             stamps = stamps_of(folder)
+            forget_compiled(stamps)
             child = subprocess.Popen([sys.executable, *words])
             wait_for_change(folder, stamps, child)
             end(child)
@@ -68,6 +72,14 @@ def stamps_of(folder: Path) -> Stamps:
             continue
         stamps[path] = (status.st_mtime_ns, status.st_size)
     return stamps
+
+
+def forget_compiled(files: Iterable[Path]) -> None:
+    """Python takes a compiled module for that of a file of the same second and length: what was saved again in a second would be missed."""
+    for path in files:
+        if path.suffix == ".py":
+            with suppress(OSError):  # there is none
+                Path(cache_from_source(str(path))).unlink()
 
 
 def syntax_error(path: Path) -> str:

@@ -78,6 +78,7 @@ export async function runAnewWhenSaved(signal: AbortSignal, show: Log): Promise<
 async function changed(folder: string, before: Stamps, child: ChildProcess, signal: AbortSignal, show: Log): Promise<Stamps> {
   let stamps = before;
   let hasEnded = false;
+  let wrong: readonly string[] = [];
   while (!signal.aborted) {
     await pause(kLook);
     if (!hasEnded && isOver(child)) {
@@ -89,9 +90,10 @@ async function changed(folder: string, before: Stamps, child: ChildProcess, sign
     const isSame = saved.length === 0 && now.size === stamps.size;
     stamps = now;
     if (isSame) continue;
-    const slips = saved.flatMap((file) => slipOf(file) ?? []);
-    if (slips.length === 0) return stamps;
-    show(slips.join("\n"));
+    const slips = new Map([...new Set([...wrong, ...saved])].filter((file) => now.has(file)).map((file) => [file, slipOf(file)]));
+    wrong = [...slips.keys()].filter((file) => slips.get(file) !== undefined);
+    if (wrong.length === 0) return stamps;
+    show(wrong.map((file) => slips.get(file)).join("\n"));
   }
   return stamps;
 }
