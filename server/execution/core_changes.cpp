@@ -43,7 +43,7 @@ struct Cores::Load {
   std::shared_ptr<Core> old;
   std::string document;
   std::int64_t revision;
-  execution::JournalHeader header;
+  RunModel model;
   bool live;
   std::shared_ptr<Change> change;
   Done<std::shared_ptr<Core>, Errors> done;
@@ -53,13 +53,13 @@ void Cores::load(const std::string& id, const StoredDocument& stored, Dict argum
                  Done<std::shared_ptr<Core>, Errors> done) {
   auto old = find(id);
   if (!old) return done(refused<Errors>(std::move(old).error()));
-  auto header = header_of(stored, std::move(arguments));
-  if (!header) return done(tl::unexpected(std::move(header).error()));
+  auto model = run_model(stored, std::move(arguments));
+  if (!model) return done(tl::unexpected(std::move(model).error()));
   auto change = begin_change((*old)->run_id(), true);
   if (!change) return done(refused<Errors>(std::move(change).error()));
   old = find(id);  // it may be another one by now
   if (!old) return done(refused<Errors>(std::move(old).error()));
-  auto load = std::make_shared<Load>(Load{*old, stored.name, stored.revision, std::move(*header),
+  auto load = std::make_shared<Load>(Load{*old, stored.name, stored.revision, std::move(*model),
                                           live.value_or((*old)->is_live()), std::move(*change), std::move(done)});
   (*old)->retire([this, load](const Expected<Core::Preparation>& preparation) {
     changes_.post([this, load, preparation] {
@@ -72,13 +72,13 @@ void Cores::load(const std::string& id, const StoredDocument& stored, Dict argum
 
 // The new core has the number of the old one, which begins no more.
 Checked<std::shared_ptr<Core>> Cores::finish_load(Load& load, Core::Preparation preparation) {
-  auto run = resources_.runs.replace(load.old->run_id(),
-                                     {load.document, load.revision, load.header, resources_.host.models()});
+  auto& [header, services] = load.model;
+  auto run = resources_.runs.replace(load.old->run_id(), {load.document, load.revision, header, std::move(services)});
   if (!run) {
     load.old->reinstate();
     return refused<Errors>(std::move(run).error());
   }
-  auto core = Core::create(std::move(*run), std::move(load.header), resources_, load.live);
+  auto core = Core::create(std::move(*run), std::move(header), resources_, load.live);
   if (!core) return refused<Errors>(std::move(core).error());
   (*core)->replace(*load.old, std::move(preparation));
   add(*core);

@@ -22,6 +22,12 @@ std::vector<Error> wrong_types(const rcm::Document& document, const std::vector<
   return errors;
 }
 
+execution::Interfaces models_of(const std::vector<services::ServiceStatus>& services) {
+  execution::Interfaces models;
+  for (const services::ServiceStatus& service : services) models.emplace(service.key, *service.model);
+  return models;
+}
+
 tl::unexpected<std::vector<Error>> one(Error error) { return refused<std::vector<Error>>(std::move(error)); }
 
 tl::unexpected<Error> no_core(const std::string& id) {
@@ -52,29 +58,28 @@ Value cores_json(const Cores& cores) {
   return std::move(json.freeze());
 }
 
-Checked<execution::JournalHeader> Cores::header_of(const StoredDocument& stored, Dict arguments) const {
-  const services::Host& host = resources_.host;
-  if (auto errors = wrong_types(stored.document, host.services()); !errors.empty())
-    return tl::unexpected(std::move(errors));
+Checked<Cores::RunModel> Cores::run_model(const StoredDocument& stored, Dict arguments) const {
+  const std::vector<services::ServiceStatus> services = resources_.host.services();
+  if (auto errors = wrong_types(stored.document, services); !errors.empty()) return tl::unexpected(std::move(errors));
   auto native = rcm::translate(stored.document);
   if (!native) return tl::unexpected(std::move(native).error());
-  auto program = semantics::Program::build(*native, host.models());
+  execution::Interfaces models = models_of(services);
+  auto program = semantics::Program::build(*native, models);
   if (!program) return tl::unexpected(std::move(program).error());
   if (auto errors = semantics::check_arguments(**program, arguments); !errors.empty())
     return tl::unexpected(std::move(errors));
   arguments.freeze();
   Value model = rcm::write_native(stored.document, *native);
-  return execution::JournalHeader{std::move(model.freeze()), std::move(*program), std::move(arguments), {}};
+  return RunModel{{std::move(model.freeze()), std::move(*program), std::move(arguments), {}}, std::move(models)};
 }
 
 Checked<LiveEdit> Cores::edit_for(const Core& core, const StoredDocument& stored) const {
-  const services::Host& host = resources_.host;
-  if (auto errors = wrong_types(stored.document, host.services()); !errors.empty())
-    return tl::unexpected(std::move(errors));
+  const std::vector<services::ServiceStatus> services = resources_.host.services();
+  if (auto errors = wrong_types(stored.document, services); !errors.empty()) return tl::unexpected(std::move(errors));
   const auto native = native_json(stored.document);
   if (!native) return tl::unexpected(native.error());
   const execution::ExecutedModel base = core.model();
-  auto entry = execution::edit_between(base, *native, host.models());
+  auto entry = execution::edit_between(base, *native, models_of(services));
   if (!entry) return one(std::move(entry).error());
   entry->revision = stored.revision;
   LiveEdit edit{stored.revision, base.program, std::move(*entry), {}, {}};
@@ -86,17 +91,17 @@ Checked<LiveEdit> Cores::edit_for(const Core& core, const StoredDocument& stored
 }
 
 Checked<void> Cores::check(const StoredDocument& stored, Dict arguments) const {
-  if (auto header = header_of(stored, std::move(arguments)); !header) return tl::unexpected(std::move(header).error());
+  if (auto model = run_model(stored, std::move(arguments)); !model) return tl::unexpected(std::move(model).error());
   return {};
 }
 
 Checked<std::shared_ptr<Core>> Cores::create(const StoredDocument& stored, Dict arguments, bool live) {
-  auto header = header_of(stored, std::move(arguments));
-  if (!header) return tl::unexpected(std::move(header).error());
+  auto model = run_model(stored, std::move(arguments));
+  if (!model) return tl::unexpected(std::move(model).error());
   const auto reserved = reserve_place();
   if (!reserved) return one(reserved.error());
   if (*reserved) resources_.watcher.core_removed((*reserved)->id());
-  auto core = create_run(stored, std::move(*header), live);
+  auto core = create_run(stored, std::move(*model), live);
   if (core) add(*core);
   const services::MutexLock lock(mutex_);
   --coming_;
@@ -127,10 +132,10 @@ std::shared_ptr<Core> Cores::take_oldest_over() {
   return nullptr;
 }
 
-Expected<std::shared_ptr<Core>> Cores::create_run(const StoredDocument& stored, execution::JournalHeader header,
-                                                  bool live) {
+Expected<std::shared_ptr<Core>> Cores::create_run(const StoredDocument& stored, RunModel model, bool live) {
+  auto& [header, services] = model;
   ASSIGN_OR_RETURN(RunRecord run,
-                   resources_.runs.create({stored.name, stored.revision, header, resources_.host.models()}, now_ms()));
+                   resources_.runs.create({stored.name, stored.revision, header, std::move(services)}, now_ms()));
   return Core::create(std::move(run), std::move(header), resources_, live);
 }
 

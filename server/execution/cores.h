@@ -75,12 +75,18 @@ class Cores {
  private:
   /// 0 of what is no id.
   static RunId number_of(const std::string& id);
-  Checked<execution::JournalHeader> header_of(const StoredDocument& stored, Dict arguments) const;
+  /// What a run begins with. Its program was checked against these RSMs, which are those of one moment: a process may
+  /// bring others at any time.
+  struct RunModel {
+    execution::JournalHeader header;
+    execution::Interfaces services;
+  };
+  Checked<RunModel> run_model(const StoredDocument& stored, Dict arguments) const;
   /// For a core that is being created. The core that has made way for it, if one had to.
   Expected<std::shared_ptr<Core>> reserve_place() EXCLUDES(mutex_);
   /// Of those whose runs are over, the first that was created; it is a core no more. Nothing: there is none.
   std::shared_ptr<Core> take_oldest_over() REQUIRES(mutex_);
-  Expected<std::shared_ptr<Core>> create_run(const StoredDocument& stored, execution::JournalHeader header, bool live);
+  Expected<std::shared_ptr<Core>> create_run(const StoredDocument& stored, RunModel model, bool live);
   void add(const std::shared_ptr<Core>& core) EXCLUDES(mutex_);
 
   // A core that is loaded or removed: one at a time does that.

@@ -4,15 +4,32 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <functional>
 #include <future>
 
 #include "core/rcm/document.h"
+#include "core/rsm/document.h"
+#include "server/runs/run_file.h"
 #include "services/sqlite/file.h"
 #include "tests/unit/core/execution/journals.h"
 #include "tests/unit/server/bench.h"
 
 namespace race::server {
 namespace {
+
+// A service that does nothing.
+class Idle final : public services::Component {
+ public:
+  explicit Idle(const char* operation) : model_(rsm::read_service_text(text_with(operation), "idle").value()) {}
+  const rsm::Service& model() const override { return model_; }
+  void call(const services::Call&) override {}
+
+ private:
+  static std::string text_with(const std::string& operation) {
+    return R"({"operations": [{"name": ")" + operation + R"("}], "events": []})";
+  }
+  const rsm::Service model_;
+};
 
 struct CoresTest : testing::Test, CoreWatcher {
   // Not by the destructor: threads call this watcher until then.
@@ -24,7 +41,10 @@ struct CoresTest : testing::Test, CoreWatcher {
   void core_changed(const std::string& id, Value) override {
     if (!heard.exchange(true)) found.set_value(cores.find(id).has_value());
   }
-  void core_removed(const std::string& id) override { removed.push_back(id); }
+  void core_removed(const std::string& id) override {
+    removed.push_back(id);
+    if (when_removed) when_removed();
+  }
   void state_replaced(const std::string&, Value) override {}
   void state_snapshot(const std::string&, Value) override {}
   void state_changed(const std::string&, Value) override {}
@@ -41,7 +61,9 @@ struct CoresTest : testing::Test, CoreWatcher {
   std::promise<bool> found;
   std::promise<void> busy, go_on;  // a core that prints "busy" is, until it goes on
   std::vector<std::string> removed, said;
+  std::function<void()> when_removed;
   services::WorldClock clock;
+  services::WorkQueue queue;
   NoObserver observer;
   services::Host host{clock, observer};
   std::unique_ptr<Pool> pool = std::make_unique<Pool>(2);
@@ -84,6 +106,36 @@ TEST_F(CoresTest, WhereThereAre128TheOldestThatIsOverMakesWay) {
   EXPECT_EQ(removed, (std::vector{ids[40], ids[90]}));
   EXPECT_EQ(create().error().front().code, ErrorCode::conflict);
   EXPECT_EQ(cores.all().size(), Cores::kMost);
+}
+
+// A process may bring another RSM at any time.
+TEST_F(CoresTest, ARunIsStoredWithTheRsmsThatItsProgramWasCheckedAgainst) {
+  const auto document =
+      rcm::read_document_text(R"json({"rcm": 1, "root": {"state": "R", "entry": "svc.idle.go()"}})json").value();
+  host.declare("idle", "idle", queue);
+  host.attach("idle", std::make_unique<Idle>("go"));
+  const auto describe = [&] { host.describe("idle", "idle", std::make_unique<Idle>("other")); };
+  const auto operation = [&](RunId run) {
+    return services_of(run, *store.runs).value().at("idle").operations.front().name;
+  };
+  const auto loaded = cores.create({"r", 1, document}, {}).value();
+  while (cores.all().size() < Cores::kMost) ASSERT_TRUE(cores.create({"r", 1, document}, {}));
+  const auto over = cores.all()[1];
+  ASSERT_TRUE(over->start());
+  ASSERT_TRUE(over->stop());
+  when_removed = describe;  // within create(), as one makes way
+  EXPECT_EQ(operation(cores.create({"r", 1, document}, {}).value()->run_id()), "go");
+  host.describe("idle", "idle", std::make_unique<Idle>("go"));
+
+  std::promise<void> go;
+  const auto going = go.get_future().share();
+  for (int threads = 0; threads < 2; ++threads) pool->post([going] { going.wait(); });
+  std::promise<bool> done;
+  cores.load(loaded->id(), {"r", 2, document}, {}, {}, [&](const auto& core) { done.set_value(core.has_value()); });
+  describe();
+  go.set_value();
+  ASSERT_TRUE(done.get_future().get());
+  EXPECT_EQ(operation(loaded->run_id()), "go");
 }
 
 TEST_F(CoresTest, AModelThatIsLoadedTakesThePlaceOfOneThatHasNotBegun) {
