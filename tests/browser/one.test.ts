@@ -95,6 +95,47 @@ async function faults(of: Page): Promise<readonly string[]> {
   return overflow > 0 ? [...found, `${overflow} px beside the window`] : found;
 }
 
+describe("a bundle of another server", () => {
+  const bundle = (name: string, document: object) => ({ bundle: 1, name, document: { rcm: 1, ...document } });
+  const file = (name: string, content: object) => ({ name, mimeType: "application/json", buffer: Buffer.from(JSON.stringify(content)) });
+  const flipping = file("flipping.json", bundle("flipping", { services: { lamp: "lamp" }, root: { state: "Flip", entry: "svc.lamp.flip()" } }));
+  const wrong = file("wrong.bundle.json", bundle("wrong", { root: { state: "Wrong", first: "Nowhere", children: [{ state: "Here" }] } }));
+  const row = (name: string) => page.getByRole("list", { name: "Bundles" }).getByRole("listitem", { name });
+  const focused = () => page.evaluate(() => document.activeElement?.textContent);
+
+  it("is installed by keys, and says which services it lacks, or why it is not installed", async () => {
+    // Chromium reports an answer that refuses as an error of the page, too.
+    fixture.allowError(/^Failed to load resource: the server responded with a status of 4/);
+    await page.goto(`${fixture.url}/one/`);
+    await page.getByRole("link", { name: /demonstrator/ }).waitFor();
+    await page.getByLabel("A new application").focus();
+    await page.keyboard.press("Tab");
+    await page.keyboard.press("Tab");
+    expect(await focused()).toBe("Install a bundle…");
+    const choosing = page.waitForEvent("filechooser");
+    await page.keyboard.press("Enter");
+    await (await choosing).setFiles([flipping, wrong]);
+    await row("flipping.json").getByText("“flipping” is installed. 1 service is not here as it needs it:").waitFor();
+    expect(await page.getByRole("list", { name: "What “flipping” lacks" }).innerText()).toBe("lamp: there is no service of this key here");
+    await row("wrong.bundle.json").getByText("wrong.bundle.json is not installed:").waitFor();
+    expect(await page.getByRole("list", { name: "What is wrong with wrong.bundle.json" }).innerText()).toMatch(/^Wrong: .*Nowhere/);
+    expect(await faults(page)).toEqual([]);
+    await fixture.screenshot("one-bundles");
+    await page.getByRole("button", { name: "Close flipping.json" }).press("Enter");
+    await row("flipping.json").waitFor({ state: "detached" });
+  });
+
+  it("of a name that is taken is installed under another one, and opened", async () => {
+    await page.getByLabel("Bundles to install").setInputFiles(flipping);
+    await row("flipping.json").getByText("There is a “flipping” already.").waitFor();
+    await row("flipping.json").getByRole("button", { name: "Install it as “flipping-2”" }).press("Enter");
+    await row("flipping.json").getByText("“flipping-2” is installed.").waitFor();
+    await row("flipping.json").getByRole("button", { name: "Open" }).press("Enter");
+    await expect.poll(() => new URL(page.url()).searchParams.get("edit")).toBe("flipping-2");
+    for (const name of ["flipping", "flipping-2"]) await fixture.send("DELETE", `/documents/${name}`);
+  });
+});
+
 describe("an application of skills", () => {
   it("begins with its name and a first task", async () => {
     await page.goto(`${fixture.url}/one/`);

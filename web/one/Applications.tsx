@@ -2,6 +2,7 @@
 import { useEffect, useId, useState, type SubmitEvent } from "react";
 import { namesOf } from "../shared/documents/listed";
 import { freeDocumentName, newDocumentText } from "../shared/documents/names";
+import { Bundles } from "./Bundles";
 import { api, attempt, loadDocuments, useRefusal, useSession } from "./client";
 import { author } from "./own";
 import { go } from "./place";
@@ -29,6 +30,7 @@ export function Applications() {
       </section>
       <NewApplication />
       <h2>{t.list}</h2>
+      <Bundles />
       {documents.length === 0 && <p className="quiet">{isHere ? t.none : t.asking}</p>}
       <ul className="application-list">
         {documents.map(({ name, doc, errors }) => (

@@ -75,6 +75,22 @@ export const en = {
     /** The name of an application that has got none. */
     wish: "application",
   },
+  /** Applications that come as files. */
+  bundles: {
+    title: "Bundles",
+    install: "Install a bundle…",
+    about: "A file NAME.bundle.json: an application of another server",
+    files: "Bundles to install",
+    installing: (name: string) => `Installing “${name}”…`,
+    installed: (name: string, lacking: number) => `“${name}” is installed.${lacking > 0 ? ` ${several(lacking, "service is", "services are")} not here as it needs ${lacking === 1 ? "it" : "them"}:` : ""}`,
+    open: "Open",
+    lacking: (name: string) => `What “${name}” lacks`,
+    taken: (name: string) => `There is a “${name}” already.`,
+    installAs: (name: string) => `Install it as “${name}”`,
+    refused: (file: string) => `${file} is not installed:`,
+    errors: (file: string) => `What is wrong with ${file}`,
+    close: (file: string) => `Close ${file}`,
+  },
   build: {
     unreadable: (name: string) => `${name} cannot be opened`,
     opening: (name: string) => `Opening ${name}…`,

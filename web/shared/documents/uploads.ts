@@ -36,7 +36,8 @@ export interface Upload {
 }
 
 export type UploadEvent =
-  | { readonly type: "added"; readonly number: number; readonly file: string; readonly size: number }
+  /** `bundle`: it is one, whatever it is called. */
+  | { readonly type: "added"; readonly number: number; readonly file: string; readonly size: number; readonly bundle?: true }
   | { readonly type: "sent"; readonly number: number; readonly target: Target }
   | { readonly type: "answered"; readonly number: number; readonly status: UploadStatus }
   | { readonly type: "closed"; readonly number: number }
@@ -55,7 +56,7 @@ export function applyUpload(uploads: readonly Upload[], event: UploadEvent): rea
   switch (event.type) {
     case "added": {
       const status: UploadStatus = event.size > kMostBytes ? tooLarge(event.size) : { kind: "sending" };
-      return [...uploads, { number: event.number, file: event.file, target: { name: nameOfFile(event.file), ...(isBundleFile(event.file) && { bundle: true }) }, status }];
+      return [...uploads, { number: event.number, file: event.file, target: { name: nameOfFile(event.file), ...((event.bundle ?? isBundleFile(event.file)) && { bundle: true }) }, status }];
     }
     case "sent":
       return change(event.number, { target: event.target, status: { kind: "sending" } });

@@ -22,6 +22,7 @@ describe("a file that is uploaded", () => {
     const bundle = applyUpload([], { type: "added", number: 1, file: "pick.bundle.json", size: 10 })[0]?.target;
     expect(bundle).toEqual({ name: "pick", bundle: true });
     expect(applyUpload([], { type: "added", number: 1, file: "pick.bundle (1).json", size: 10 })[0]?.target.bundle, "saved a second time").toBe(true);
+    expect(applyUpload([], { type: "added", number: 1, file: "pick.json", size: 10, bundle: true })[0]?.target, "chosen as one").toEqual(bundle);
     expect(failed({ name: "pick", bundle: true }, new RaceError(422, [error], { moreErrors: false }))).toMatchObject({ next: "never" });
   });
   it("can be sent under another name, and others are as they were", () => {
