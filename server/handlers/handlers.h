@@ -152,6 +152,7 @@ Handled get_run_pictures(const Request& request, Runs& runs, Pictures& pictures)
 Handled get_run_picture(const Request& request, Runs& runs, Pictures& pictures);
 Handled get_run_timing(const Request& request, Runs& runs, Cores& cores);
 Handled get_run_export(const Request& request, Runs& runs, Samples& samples, Pictures& pictures, Documents& documents);
+void get_run_test(const Request& request, Respond respond, Runs& runs, Worker& replays);
 void compare_run(const Request& request, Respond respond, Runs& runs, Worker& replays);
 Handled get_task(const Request& request, Tasks& tasks);
 Handled cancel_task(const Request& request, Tasks& tasks);

@@ -134,6 +134,7 @@ constexpr std::array kRoutes = {
     Route{"GET", "/api/v1/runs/{run}/pictures/{number}", call<get_run_picture>},
     Route{"GET", "/api/v1/runs/{run}/timing", call<get_run_timing>, kNoBody, "from to"},
     Route{"GET", "/api/v1/runs/{run}/export", call<get_run_export>},
+    Route{"GET", "/api/v1/runs/{run}/test", call<get_run_test>},
     Route{"GET", "/api/v1/runs/{run}/compare", call<compare_run>, kNoBody, "with from"},
     Route{"GET", "/api/v1/tasks/{id}", call<get_task>},
     Route{"DELETE", "/api/v1/tasks/{id}", call<cancel_task>},

@@ -10,6 +10,7 @@
 
 #include "core/execution/execution.h"
 #include "core/execution/step_json.h"
+#include "core/value/json.h"
 #include "server/model_tests/any_value.h"
 
 namespace race::server {
@@ -32,16 +33,18 @@ struct RecordedCall {
 
 class Conversion {
  public:
-  explicit Conversion(const RecordedRun& run) : run_(run) {}
+  Conversion(const RecordedRun& run, const std::atomic<bool>* stop) : run_(run), stop_(stop) {}
 
   Expected<Value> test(const std::string& name) {
     ASSIGN_OR_RETURN(execution::Execution execution, execution::Execution::create(run_.journal.header));
     execution.watch();
+    execution.stop_with(stop_);
     for (const execution::JournalEntry& entry : run_.journal.entries) {
       next_time();
       if (auto noted = note_input(entry); !noted) return tl::unexpected(std::move(noted).error());
       ASSIGN_OR_RETURN(const execution::Progress* progress, execution.replay(entry, {.entry = false}));
       note_step(*progress, execution.run().program());
+      if (text_ > kMaxTestFile) return unexpected(ErrorCode::too_large, "the test would have more than 4 MiB");
     }
     if (!execution.is_over()) return unexpected(ErrorCode::not_accepted, "the run is not over");
     Dict test{{"name", name}};
@@ -83,10 +86,12 @@ class Conversion {
 
   void note_step(const execution::Progress& progress, const semantics::Program& program) {
     const List& fired = progress.delta.find("fired")->as_list();
+    for (const Value& port : fired) text_ += port.as_string().size();
     order_.insert(order_.end(), fired.begin(), fired.end());
     for (const semantics::OutgoingCall& call : progress.calls) {
       const bool is_read = program.names_response(call.operation);
       calls_.insert_or_assign(call.number, RecordedCall{call.service, call.name, time_, is_read});
+      text_ += to_json(call.args).size() + to_json(call.kwargs).size();
       expected_calls_.emplace_back(
           Dict{{"service", call.service}, {"operation", call.name}, {"args", call.args}, {"kwargs", call.kwargs}});
     }
@@ -139,16 +144,24 @@ class Conversion {
   }
 
   const RecordedRun& run_;
+  const std::atomic<bool>* stop_;
   std::size_t entries_ = 0;
   double time_ = 0;  // s, of the entry
   std::map<std::uint64_t, RecordedCall> calls_;
   std::map<std::string, Script> scripts_;  // by service
   List order_, expected_calls_;
+  std::size_t text_ = 0;  // bytes that these have at least: a run may do more than its inputs say
   Random random_{1};
 };
 
 }  // namespace
 
-Expected<Value> test_of_run(const std::string& name, const RecordedRun& run) { return Conversion(run).test(name); }
+Checked<std::string> test_of_run(const std::string& name, const RecordedRun& run, const std::atomic<bool>* stop) {
+  const auto test = Conversion(run, stop).test(name);
+  if (!test) return tl::unexpected(std::vector<Error>{test.error()});
+  std::string text = to_json(*test, 2) + '\n';
+  if (auto file = read_test_text(text); !file) return tl::unexpected(std::move(file).error());
+  return text;
+}
 
 }  // namespace race::server

@@ -325,6 +325,9 @@ constexpr NamedCall kCalls[] = {
     {"exportRun", [](const Given& given) {
        return calls::export_run(given.text("run"));
      }},
+    {"getRunTest", [](const Given& given) {
+       return calls::get_run_test(given.text("run"));
+     }},
     {"compareRun", [](const Given& given) {
        return calls::compare_run(given.text("run"), given.text("with"), {.from = given.integer_if("from")});
      }},

@@ -595,6 +595,11 @@ Call export_run(std::string_view run) {
   return call;
 }
 
+Call get_run_test(std::string_view run) {
+  Call call{.method = "GET", .target = "/api/v1/runs/" + segment(run) + "/test"};
+  return call;
+}
+
 Call compare_run(std::string_view run, std::string_view with, const CompareRunOptions& options) {
   Call call{.method = "GET", .target = "/api/v1/runs/" + segment(run) + "/compare"};
   add_query(call, "with", with);

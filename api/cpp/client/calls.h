@@ -2091,6 +2091,31 @@ Call get_run_timing(std::string_view run, const GetRunTimingOptions& options = {
 /// the run is interrupted. Ask again when it works.
 Call export_run(std::string_view run);
 
+/// A test of the run as a file for `race test`: its inputs as what mocks answer, and what came of them as what is
+/// expected.
+///
+/// Answers api/schemas/task_test.json.
+///
+/// 400: `out_of_range`: the run took longer than a test may, a day.
+///
+/// 404: There is nothing of this name or number (`not_found`).
+///
+/// 409: `conflict`: a run does not take an entry of its journal.
+///
+/// 413: `too_large`: the test would have more than 4 MiB (4194304 bytes), the journal has more than 16 MiB, or the
+/// replay takes longer than 20 seconds.
+///
+/// 422: `not_accepted`: the run is not over, or somebody has edited, forced or aborted it; or `version`.
+///
+/// 500: What is stored is damaged (`corrupt`); the error names the part.
+///
+/// 503: Three replays are asked for already, or those before take long (`unavailable`): ask again. Or the store cannot
+/// be read (`io`).
+///
+/// 507: The disk is full, fails or hangs (`storage`). Nothing is changed, or it is not known yet what is stored: then
+/// the run is interrupted. Ask again when it works.
+Call get_run_test(std::string_view run);
+
 struct CompareRunOptions {
   std::optional<std::int64_t> from = {};
 };

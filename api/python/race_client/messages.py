@@ -638,6 +638,28 @@ class EventsItem(TypedDict):
     data: Json
 
 
+class Expectation(TypedDict):
+    """api/schemas/task_test.json#/$defs/expectation"""
+    outcome: NotRequired[str]
+    status: NotRequired[Literal['ended', 'faulted', 'running']]
+    order: NotRequired[PortAddresses]
+    fired: NotRequired[PortAddresses]
+    not_fired: NotRequired[PortAddresses]
+    calls: NotRequired[list[ExpectedCall]]
+    not_called: NotRequired[list[ExpectedCall]]
+    results: NotRequired[dict[str, Json]]
+    within: NotRequired[WorldSeconds]
+    tolerance: NotRequired[float]
+
+
+class ExpectedCall(TypedDict):
+    """api/schemas/task_test.json#/$defs/expected_call"""
+    service: TestName
+    operation: TestName
+    args: NotRequired[list[Json]]
+    kwargs: NotRequired[dict[str, Json]]
+
+
 class Fault(TypedDict):
     """api/schemas/core.json#/$defs/fault"""
     kind: Literal['type', 'missing', 'zero_division', 'overflow', 'budget', 'value', 'name', 'unmet', 'unresolved', 'divergence']
@@ -829,6 +851,34 @@ class Me(TypedDict):
     role: NotRequired[Role]
     local: NotRequired[bool]
 
+
+class MockAnswer(TypedDict):
+    """api/schemas/task_test.json#/$defs/mock_answer"""
+    operation: TestName
+    result: NotRequired[Json]
+    error: NotRequired[MockAnswerError]
+    never: NotRequired[Literal[True]]
+    after: NotRequired[WorldSeconds]
+    repeat: NotRequired[bool]
+
+
+class MockAnswerError(TypedDict):
+    """a part of api/schemas/task_test.json"""
+    code: str
+
+
+class ModelTest(TypedDict):
+    """api/schemas/task_test.json#/$defs/model_test"""
+    name: TestName
+    doc: NotRequired[str]
+    state: NotRequired[str]
+    arguments: NotRequired[dict[str, Json]]
+    cell: NotRequired[bool]
+    seed: NotRequired[int]
+    limit: NotRequired[float]
+    services: NotRequired[dict[str, ServiceMock]]
+    expect: Expectation
+
 # api/schemas/timing_block.json#/$defs/moment
 Moment: TypeAlias = "list[int]"
 
@@ -988,6 +1038,9 @@ class PersonCommandTake(TypedDict):
 
 # api/schemas/person_command.json#/$defs/point
 Point: TypeAlias = "Vector"
+
+# api/schemas/task_test.json#/$defs/port_addresses
+PortAddresses: TypeAlias = "list[str]"
 
 
 class Pose(TypedDict):
@@ -1551,6 +1604,21 @@ class ServiceChange(TypedDict):
     state: NotRequired[str]
 
 
+class ServiceMock(TypedDict):
+    """api/schemas/task_test.json#/$defs/service_mock"""
+    rsm: NotRequired[str]
+    answers: NotRequired[list[MockAnswer]]
+    events: NotRequired[list[ServiceMockEventsItem]]
+    samples: NotRequired[dict[str, Json]]
+
+
+class ServiceMockEventsItem(TypedDict):
+    """a part of api/schemas/task_test.json"""
+    event: TestName
+    data: NotRequired[Json]
+    at: NotRequired[WorldSeconds]
+
+
 class ServiceResponse(TypedDict):
     """api/schemas/service_response.json"""
     result: NotRequired[Json]
@@ -1654,6 +1722,17 @@ class TaskProgress(TypedDict):
     done: int
     total: int
     unit: Literal['bytes', 'entries']
+
+
+class TaskTest(TypedDict):
+    """api/schemas/task_test.json"""
+    race_test: Literal[1]
+    doc: NotRequired[str]
+    model: NotRequired[str]
+    tests: list[ModelTest]
+
+# api/schemas/task_test.json#/$defs/test_name
+TestName: TypeAlias = "str"
 
 
 class Ticket(TypedDict):
@@ -1859,3 +1938,6 @@ class WhyReadsItem(TypedDict):
     """a part of api/schemas/why.json"""
     text: str
     value: NotRequired[Json]
+
+# api/schemas/task_test.json#/$defs/world_seconds
+WorldSeconds: TypeAlias = "float"

@@ -1,6 +1,6 @@
 // Routes of api/openapi.yaml: runs. Made by api/python/generate/main.py. The request filter may also refuse each.
 import { segment, type Body, type Call } from "../call.js";
-import type { Derivations, Journal, Native, Past, Run, RunComparison, RunFile, RunPicture, RunPictures, RunRemoved, RunSamples, Runs, Script, Task, Timing, Why } from "../generated/messages.js";
+import type { Derivations, Journal, Native, Past, Run, RunComparison, RunFile, RunPicture, RunPictures, RunRemoved, RunSamples, Runs, Script, Task, TaskTest, Timing, Why } from "../generated/messages.js";
 import * as schema from "../generated/validators.js";
 
 /**
@@ -413,6 +413,34 @@ export const exportRun = (run: string): Call<RunFile> => ({
   method: "GET",
   path: `/api/v1/runs/${segment(run)}/export`,
   answer: schema.runFile,
+});
+
+/**
+ * A test of the run as a file for `race test`: its inputs as what mocks answer, and what came of them as what is expected.
+ *
+ * 400: `out_of_range`: the run took longer than a test may, a day.
+ *
+ * 404: There is nothing of this name or number (`not_found`).
+ *
+ * 409: `conflict`: a run does not take an entry of its journal.
+ *
+ * 413: `too_large`: the test would have more than 4 MiB (4194304 bytes), the journal has more than 16 MiB, or the replay takes
+ * longer than 20 seconds.
+ *
+ * 422: `not_accepted`: the run is not over, or somebody has edited, forced or aborted it; or `version`.
+ *
+ * 500: What is stored is damaged (`corrupt`); the error names the part.
+ *
+ * 503: Three replays are asked for already, or those before take long (`unavailable`): ask again. Or the store cannot be read
+ * (`io`).
+ *
+ * 507: The disk is full, fails or hangs (`storage`). Nothing is changed, or it is not known yet what is stored: then the run is
+ * interrupted. Ask again when it works.
+ */
+export const getRunTest = (run: string): Call<TaskTest> => ({
+  method: "GET",
+  path: `/api/v1/runs/${segment(run)}/test`,
+  answer: schema.taskTest,
 });
 
 /**
