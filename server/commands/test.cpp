@@ -47,14 +47,23 @@ std::string share(const char* what, const Coverage::Count& count) {
          std::to_string(percent) + " %)";
 }
 
+// "Root/A.done never true", "Root/A action 1 never false".
+std::string condition_text(const Value& missing) {
+  const Value* action = missing.find("action");
+  return missing.find("at")->as_string() + (action ? " action " + std::to_string(action->as_integer()) : "") +
+         (missing.find("value")->as_bool() ? " never true" : " never false");
+}
+
 void print(const std::string& file, const Coverage& coverage) {
   std::printf("coverage of %s: %s, %s, %s\n", file.c_str(), share("states", coverage.states()).c_str(),
               share("ports", coverage.ports()).c_str(), share("values of conditions", coverage.conditions()).c_str());
   const Value json = coverage.json();
-  for (const auto& [what, words] : {std::pair("states", "state never active: "),
-                                    std::pair("ports", "port never fired: "), std::pair("conditions", "condition ")})
+  for (const auto& [what, words] :
+       {std::pair("states", "state never active: "), std::pair("ports", "port never fired: ")})
     for (const Value& missing : json.find(what)->find("missing")->as_list())
       std::printf("  %s%s\n", words, missing.as_string().c_str());
+  for (const Value& missing : json.find("conditions")->find("missing")->as_list())
+    std::printf("  condition %s\n", condition_text(missing).c_str());
 }
 
 Value json_of(const TestOutcome& outcome) {

@@ -29,8 +29,13 @@ std::string place_of_port(const Program& program, PortId port, const Coverage::O
   return place.ends_with("." + program[port].name) ? place : "";
 }
 
-std::string place_of_action(const std::string& state, std::size_t number) {
-  return state + " action " + std::to_string(number + 1);
+// What a port with a time-out is made into comes from that port: no state of the document.
+std::string place_of_state(const Program& program, StateId state, const Coverage::Origin& origin,
+                           const std::string& library) {
+  std::string place = place_of(program[state].path, origin, library);
+  const std::size_t dot = place.rfind('.');
+  const bool is_port = dot != std::string::npos && place.find('/', dot) == std::string::npos;
+  return is_port ? "" : place;
 }
 
 Coverage::Count count(const std::map<std::string, bool>& elements) {
@@ -38,17 +43,26 @@ Coverage::Count count(const std::map<std::string, bool>& elements) {
   return {static_cast<std::size_t>(covered), elements.size()};
 }
 
-Dict json_of(const Coverage::Count& count, List missing) {
+Dict json_of(const Coverage::Count& count, List reached, List missing) {
   return Dict{{"covered", static_cast<std::int64_t>(count.covered)},
               {"all", static_cast<std::int64_t>(count.all)},
+              {"reached", std::move(reached)},
               {"missing", std::move(missing)}};
 }
 
-List missing(const std::map<std::string, bool>& elements) {
+// Those that are covered, or are not.
+List places(const std::map<std::string, bool>& elements, bool are_covered) {
   List out;
   for (const auto& [place, covered] : elements)
-    if (!covered) out.emplace_back(place);
+    if (covered == are_covered) out.emplace_back(place);
   return out;
+}
+
+Value json_of(const Coverage::ConditionPlace& place, bool value) {
+  Dict json{{"at", place.at}};
+  if (place.action > 0) json.set("action", static_cast<std::int64_t>(place.action));
+  json.set("value", value);
+  return json;
 }
 
 }  // namespace
@@ -69,14 +83,13 @@ Coverage::Count Coverage::conditions() const {
 }
 
 Value Coverage::json() const {
-  List values;
-  for (const auto& [place, condition] : conditions_) {
-    if (!condition.held) values.emplace_back(place + " never true");
-    if (!condition.failed) values.emplace_back(place + " never false");
-  }
-  return Dict{{"states", json_of(states(), missing(states_))},
-              {"ports", json_of(ports(), missing(ports_))},
-              {"conditions", json_of(conditions(), std::move(values))}};
+  List reached, missing;
+  for (const auto& [place, condition] : conditions_)
+    for (const bool value : {true, false})
+      ((value ? condition.held : condition.failed) ? reached : missing).push_back(json_of(place, value));
+  return Dict{{"states", json_of(states(), places(states_, true), places(states_, false))},
+              {"ports", json_of(ports(), places(ports_, true), places(ports_, false))},
+              {"conditions", json_of(conditions(), std::move(reached), std::move(missing))}};
 }
 
 CoverageOfRun::CoverageOfRun(Coverage& coverage, const Program& program, const Coverage::Origin& origin,
@@ -85,19 +98,19 @@ CoverageOfRun::CoverageOfRun(Coverage& coverage, const Program& program, const C
       ports_(program.ports.size()),
       port_conditions_(program.ports.size()),
       action_conditions_(program.actions.size()) {
-  for (std::size_t i = 0; i < program.states.size(); ++i) {
+  for (std::uint32_t i = 0; i < program.states.size(); ++i) {
     const semantics::StateInfo& state = program.states[i];
-    const std::string place = place_of(state.path, origin, library);
+    const std::string place = place_of_state(program, StateId{i}, origin, library);
     if (place.empty()) continue;
     states_[i] = &coverage.states_[place];
     for (std::uint32_t a = state.actions.low; a < state.actions.high; ++a)
-      action_conditions_[a] = &coverage.conditions_[place_of_action(place, a - state.actions.low)];
+      action_conditions_[a] = &coverage.conditions_[Coverage::ConditionPlace{place, a - state.actions.low + 1}];
   }
   for (std::uint32_t i = 0; i < program.ports.size(); ++i) {
     const std::string place = place_of_port(program, PortId{i}, origin, library);
     if (place.empty()) continue;
     ports_[i] = &coverage.ports_[place];
-    if (program.ports[i].when) port_conditions_[i] = &coverage.conditions_[place];
+    if (program.ports[i].when) port_conditions_[i] = &coverage.conditions_[Coverage::ConditionPlace{place, 0}];
   }
 }
 

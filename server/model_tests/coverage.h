@@ -2,6 +2,7 @@
 // looked at while they held and while they did not. What translation makes of links counts for what it is made of.
 #pragma once
 
+#include <compare>
 #include <map>
 #include <string>
 #include <vector>
@@ -15,6 +16,12 @@ class Coverage {
  public:
   /// Path in the native model -> path in the document (rcm::NativeModel).
   using Origin = std::map<std::string, std::string>;
+  /// Of a port, "Root/A.done", or of the action of this number, from 1, of a state, "Root/A".
+  struct ConditionPlace {
+    std::string at;
+    std::size_t action = 0;  // 0: of a port
+    auto operator<=>(const ConditionPlace&) const = default;
+  };
   struct Condition {
     bool held = false, failed = false;  // failed: while its state was active it was false, or unknown
   };
@@ -29,14 +36,13 @@ class Coverage {
   Count ports() const;
   /// Of values of conditions: two each.
   Count conditions() const;
-  /// {"states": {"covered", "all", "missing": [...]}, "ports", "conditions"}; a missing value of a condition is named
-  /// with what it was not: "Root/A.done never true".
+  /// Schemas/test_report.json, `model_coverage`: counts, and what is covered and what is missing.
   Value json() const;
 
  private:
   friend class CoverageOfRun;
   std::map<std::string, bool> states_, ports_;
-  std::map<std::string, Condition> conditions_;  // by port, or "Root/A action 1"
+  std::map<ConditionPlace, Condition> conditions_;
 };
 
 /// Notes in a Coverage what one run comes to.

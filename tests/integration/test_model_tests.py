@@ -5,6 +5,7 @@ import signal
 import subprocess
 import tempfile
 import unittest
+import urllib.request
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
@@ -57,7 +58,7 @@ class TestCase(unittest.TestCase):
         self.write("baking.test.json", check("task_test", {"race_test": 1, "tests": list(tests)}))
         status, output, errors = self.race("baking.test.json", "--json", *words)
         self.assertIn(status, (0, 1), errors)
-        return status, json.loads(output)
+        return status, check("test_report", json.loads(output))
 
     def findings(self, *tests):
         """The paths at which each test fails."""
@@ -135,19 +136,33 @@ class Output(TestCase):
     def test_coverage_names_what_no_test_has_come_to(self):
         _, output = self.run_tests(test_of(answers=[{"result": 1}]), words=("--coverage",))
         coverage = output["coverage"]["baking.rcm.json"]
-        self.assertEqual(coverage["states"], {"covered": 1, "all": 2, "missing": ["library/Open"]})
+        self.assertEqual(coverage["states"], {"covered": 1, "all": 2, "reached": ["Bake"], "missing": ["library/Open"]})
         self.assertEqual(coverage["ports"]["missing"], ["Bake.burnt", "Bake.failed", "library/Open.open"])
         self.assertEqual(coverage["conditions"]["missing"], [
-            "Bake.burnt never true", "Bake.failed never true", "library/Open.open never true", "library/Open.open never false"])
+            {"at": "Bake.burnt", "value": True}, {"at": "Bake.failed", "value": True},
+            {"at": "library/Open.open", "value": True}, {"at": "library/Open.open", "value": False}])
+        self.assertIn({"at": "Bake.burnt", "value": False}, coverage["conditions"]["reached"])
         _, output = self.run_tests(
             test_of(answers=[{"result": 1}]), test_of("b", [{"error": {"code": "burnt"}}], {"outcome": "burnt"}),
             test_of("c", [{"error": {"code": "x"}}], {"outcome": "failed"}),
             test_of("d", state="Open", arguments={"why": 1}, expect={"outcome": "open"}), words=("--coverage",))
         coverage = output["coverage"]["baking.rcm.json"]
         self.assertEqual([(each["covered"], each["missing"]) for each in coverage.values()][:2], [(2, []), (4, [])])
-        self.assertEqual([value for value in coverage["conditions"]["missing"] if value.startswith("Bake")], [])
+        self.assertEqual([each for each in coverage["conditions"]["missing"] if each["at"].startswith("Bake")], [])
         self.assertIn("coverage of baking.rcm.json: states 2 of 2 (100 %), ports 4 of 4 (100 %)",
                       self.race("baking.test.json", "--coverage")[1])
+
+    def test_coverage_is_of_states_and_actions_of_the_document(self):
+        self.write("late.rcm.json", models.document("late", {
+            "state": "Root", "results": [{"name": "n", "initial": 0}], "actions": [{"when": "res.n == 0", "do": "res.n = 1"}],
+            "ports": [{"name": "late", "after": "0.1"}]}))
+        self.write("late.test.json", {"race_test": 1, "tests": [{"name": "a", "expect": {"outcome": "late"}}]})
+        output = check("test_report", json.loads(self.race("late.test.json", "--coverage", "--json")[1]))
+        coverage = output["coverage"]["late.rcm.json"]
+        self.assertEqual(coverage["states"], {"covered": 1, "all": 1, "reached": ["Root"], "missing": []})
+        self.assertEqual(coverage["ports"]["reached"], ["Root.late"])
+        self.assertIn({"at": "Root", "action": 1, "value": True}, coverage["conditions"]["reached"])
+        self.assertNotIn("never active", self.race("late.test.json", "--coverage")[1])
 
     def test_junit_has_each_test_and_why_it_fails(self):
         status, _ = self.run_tests(test_of('<"one">', [{"result": 1}]), test_of("two", [{"error": {"code": "burnt"}}]),
@@ -222,6 +237,38 @@ class OfRuns(TestCase):
         for words, error in ((("--from", "77"), "not_found: "), (("--from", "x"), "--from: type: ")):
             status, _, errors = self.race("other.test.json", *words, "--data", "data")
             self.assertEqual((status, error in errors), (2, True), errors)
+
+    def test_a_server_makes_the_same_file(self):
+        data = self.folder / "data"
+        data.mkdir()
+        for name in ("storing", "other"):
+            self.write(f"{name}.rcm.json", models.storing())
+        with Server(data=str(data)) as server:
+            core = server.core(models.storing(), {"value": 7})
+            server.ended(core)
+            server.get(f"/runs/{core}/test", "task_test")
+            with urllib.request.urlopen(f"http://127.0.0.1:{server.port}/api/v1/runs/{core}/test", timeout=TIMEOUT) as answer:
+                text, disposition = answer.read(), answer.headers["Content-Disposition"]
+        self.assertEqual(disposition, 'attachment; filename="storing.test.json"')
+        self.write("storing.test.json", text.decode())
+        self.assertEqual(self.race("storing.test.json")[::2], (0, ""))
+        self.assertEqual(self.race("other.test.json", "--from", core, "--data", "data")[0], 0)
+        self.assertEqual(self.folder.joinpath("other.test.json").read_bytes(), text)
+
+    def test_a_server_says_why_a_run_makes_no_test(self):
+        def refused(run, status):
+            [error] = server.get(f"/runs/{run}/test", status=status)["errors"]
+            return error["code"], error["message"]
+        with Server() as server:
+            running = server.core(models.ticking(last=100000))
+            self.assertEqual(refused(running, 422), ("not_accepted", "the run is not over"))
+            server.post(f"/cores/{running}/stop", None, "core")
+            server.ended(running)
+            self.assertEqual(refused(running, 422), ("not_accepted", "somebody has edited, forced or aborted the run, as no test can"))
+            self.assertEqual(refused("77", 404)[0], "not_found")
+            large = server.core(models.storing(), {"value": "x" * 1_100_000})
+            self.assertEqual(server.ended(large)["status"], "ended")
+            self.assertEqual(refused(large, 413)[0], "too_large")
 
     def test_what_makes_no_test_leaves_no_file(self):
         name = self.exported(models.storing(), {"value": 7})

@@ -29,6 +29,7 @@ export const kRead = [
   "stream_message.json#/$defs/envelope",
   "stream_message.json#/$defs/log_entries",
   "stream_message.json#/$defs/services_delta",
+  "test_report.json",
 ];
 
 /** What STOP reads, on each page: validators of their own, as the page on trust is small. */

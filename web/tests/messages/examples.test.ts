@@ -61,6 +61,8 @@ const readers: Readonly<Record<string, (value: unknown) => unknown>> = {
   services: by(schema.services),
   stream_message: readStreamMessage,
   task: by(schema.task),
+  task_test: by(schema.taskTest),
+  test_report: by(schema.testReport),
   timing: by(schema.timing),
   why: by(schema.why),
 };
@@ -73,7 +75,7 @@ const unread = new Set([
   "addresses", "pair", "pair_answer", "pairing_create", "pairing_created",
   "service_call", "service_response",
   "operator", "person_command", "proposal_decline", "proposal_request", "queued_run_create", "revisions", "run_file",
-  "server_config", "step_request", "stream_request", "task_test",
+  "server_config", "step_request", "stream_request",
 ]);
 
 describe("api/examples", () => {
