@@ -168,6 +168,8 @@ export function createApi(fetcher: typeof fetch) {
     importRun: (file: string): Promise<Run> => send(calls.importRun(new RawJson(file))),
     /** Where two runs first differ, from a macro step on. */
     compareRuns: (id: string, other: string, from = 1): Promise<RunComparison> => send(calls.compareRun(id, { with: other, from })),
+    /** A test of the run, as a file for `race test`. */
+    runTest: (id: string): Promise<string> => requestText(transport, calls.getRunTest(id)),
     /** Where the file of a run can be loaded. */
     runFileAddress: (id: string): string => targetOf(calls.exportRun(id)),
     deleteCore: (id: string): Promise<Core> => send(calls.deleteCore(id)),

@@ -8,6 +8,7 @@ import { inputText } from "../../shared/run/inputText";
 import { leasedText } from "../../shared/stop/leases";
 import type { ModelTree } from "../../shared/model/modelTree";
 import { useCore, useSession } from "../client";
+import { MakeTest } from "../runs/MakeTest";
 import { CauseList } from "./CauseList";
 import { CodeText } from "./CodeText";
 import { showInput } from "./showInput";
@@ -56,6 +57,7 @@ export function EndCard({ tree }: { readonly tree: ModelTree | undefined }) {
         </p>
       )}
       {over.results !== undefined && <ValueTable title="Results" names={Object.keys(over.results)} values={over.results} />}
+      <MakeTest key={over.id} id={over.id} document={over.document} />
     </section>
   );
 }

@@ -9,6 +9,7 @@ import { useAttempt } from "../documents/useAttempt";
 import { useRefusal } from "../login/rights";
 import { openRun } from "./actions";
 import { CompareRun } from "./CompareRun";
+import { MakeTestButton, SavedTest } from "./MakeTest";
 import { removeRun } from "./runs";
 import { counted } from "../../shared/counted";
 
@@ -24,6 +25,7 @@ export function RunRow({ run, offline }: Props) {
   const { id, document, revision, steps, created, imported } = run;
   const [asked, ask] = useState(false);
   const [compared, compare] = useState(false);
+  const [saved, setSaved] = useState(false);
   const other = useSession((s) => (s.watched === id ? undefined : s.watched));
   const { attempt, reason, busy } = useAttempt();
   const hosted = useSession((s) => s.cores.find((core) => core.id === id));
@@ -53,10 +55,12 @@ export function RunRow({ run, offline }: Props) {
         <a className="button" href={api.runFileAddress(id)} download aria-disabled={offline} title="All of the run in one file, which any server opens">
           Download
         </a>
+        <MakeTestButton id={id} document={document} disabled={disabled} attempt={attempt} onSaved={setSaved} />
         <button type="button" disabled={disabled || held || refusal !== undefined} title={refusal ?? (held ? "Its core is not over: stop it first" : undefined)} aria-expanded={asked} onClick={() => ask(!asked)}>
           Delete
         </button>
       </div>
+      {saved && <SavedTest document={document} />}
       {compared && other !== undefined && <CompareRun id={id} other={other} />}
       {asked && (
         <div className="ask-delete" role="group" aria-label={`Delete run ${id}?`}>

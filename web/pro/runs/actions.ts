@@ -1,9 +1,11 @@
 // What is done with stored runs, and the place of their list in the address.
 import { addressWith, placeOfAddress } from "../../shared/session/address";
 import type { Moment } from "../../shared/past/moment";
+import { testFileOf } from "../../shared/runs/testFile";
 import { watchedCore } from "../../shared/session/session";
 import { api, problem, session, turnToRun, view } from "../client";
 import { visit } from "../past/past";
+import { saveText } from "../saveText";
 
 export function showRuns(shown: boolean): void {
   view.dispatch({ type: "runs", shown });
@@ -24,6 +26,11 @@ export async function openRunAt(id: string, moment: Moment): Promise<void> {
   const inference = { micro: moment.micro };
   view.dispatch({ type: "step", step: Math.min(moment.step, last), inference });
   if (moment.step <= last) visit(moment, "push", inference);
+}
+
+/** Saves a test of a run as a file. Throws why none can be made. */
+export async function saveTest(id: string, document: string): Promise<void> {
+  saveText(testFileOf(document), "application/json", await api.runTest(id));
 }
 
 /** Stores the file of a run, and shows it. Throws what the server refuses. */
