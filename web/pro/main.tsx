@@ -37,6 +37,7 @@ import "./styles/login.css";
 import "../stop/tokens.css";
 import "../stop/stop.css";
 import "../control/control.css";
+import "./styles/coverage.css";
 import "./styles/manual.css";
 import { createRoot } from "react-dom/client";
 import { followControls } from "../control/page";

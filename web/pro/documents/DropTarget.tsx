@@ -1,17 +1,20 @@
 // Files that are dragged over the page, and dropped anywhere on it, are uploaded.
 import { useEffect, useState } from "react";
+import { isTestReport } from "../../shared/coverage/report";
 import { isRunFile, kMostRunBytes } from "../../shared/runs/runFile";
 import { attempt, problem } from "../client";
+import { openDroppedCoverage } from "../coverage/coverage";
 import { refusalNow, useRefusal } from "../login/rights";
 import { openRunFile } from "../runs/actions";
 import { showDocuments } from "./actions";
 import { upload } from "./uploading";
 
-/** Runs are stored and shown; all else becomes documents. */
+/** Runs are stored and shown, coverage of tests is shown; all else becomes documents. */
 async function takeFiles(files: readonly File[]): Promise<void> {
   const texts = await Promise.all(files.map(async (file) => (file.size <= kMostRunBytes ? file.text() : "")));
   const runs = texts.filter(isRunFile);
-  const documents = files.filter((_, i) => !runs.includes(texts[i] ?? ""));
+  const reports = files.filter((_, i) => isTestReport(texts[i] ?? ""));
+  const documents = files.filter((file, i) => !runs.includes(texts[i] ?? "") && !reports.includes(file));
   const refusal = (runs.length > 0 ? refusalNow("import_run") : undefined) ?? (documents.length > 0 ? refusalNow("store_document") : undefined);
   if (refusal !== undefined) {
     problem(`Nothing is stored: ${refusal}.`);
@@ -21,6 +24,7 @@ async function takeFiles(files: readonly File[]): Promise<void> {
     upload(documents);
     showDocuments(true);
   }
+  for (const report of reports) await attempt(() => openDroppedCoverage(report));
   for (const run of runs) await attempt(() => openRunFile(run));
 }
 
@@ -51,5 +55,5 @@ export function DropTarget() {
       for (const [type, listener] of Object.entries(listeners)) removeEventListener(type, listener as EventListener, true);
     };
   }, []);
-  return over ? <div className="drop-hint">{refusal === undefined ? "Drop files here: documents, or runs" : `Files are not stored: ${refusal}`}</div> : null;
+  return over ? <div className="drop-hint">{refusal === undefined ? "Drop files here: documents, runs, or the coverage of tests" : `Files are not stored: ${refusal}`}</div> : null;
 }

@@ -7,6 +7,8 @@ import { ModelCanvas } from "../canvas/ModelCanvas";
 import { loadCodeEditor } from "../code/CodeField";
 import { CommentCount, CommentList } from "../comments/CommentList";
 import { CommentMarks } from "../comments/CommentMarks";
+import { CoverageMarks } from "../coverage/CoverageMarks";
+import { useOpened } from "../coverage/coverage";
 import { runAction } from "./actions/action";
 import { actionOf } from "./actions/registry";
 import { useActionKeys } from "./actions/useActionKeys";
@@ -60,6 +62,7 @@ export function EditPage({ tree, document }: Props) {
         </ModelCanvas>
         <Placing />
         <ShownDifference />
+        <CoverageMarks />
         <CommentMarks />
         <Others />
       </EditCanvas>
@@ -131,6 +134,7 @@ function EditHead({ document, listed, onList }: HeadProps) {
           Redo
         </button>
         <HistoryButton />
+        <CoverageButton />
         <a className="link" href={`/one/?edit=${encodeURIComponent(document)}`} title="As tasks and skills, in RACE One">
           One
         </a>
@@ -148,6 +152,16 @@ function HistoryButton() {
   return (
     <button type="button" aria-pressed={shown} title={`${action.name} (${action.keys[0] ?? ""})`} onClick={() => runAction(action)}>
       History
+    </button>
+  );
+}
+
+function CoverageButton() {
+  const shown = useOpened((opened) => opened.shown);
+  const action = actionOf("coverage");
+  return (
+    <button type="button" aria-pressed={shown} title={`${action.name} (${action.keys[0] ?? ""})`} onClick={() => runAction(action)}>
+      Coverage
     </button>
   );
 }

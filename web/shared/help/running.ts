@@ -56,6 +56,8 @@ export const running: readonly Topic[] = [
       text("Everybody who has opened a document sees the edits of the others at once, and where they are. Undo takes back your own edits only. If two people change the same thing, the server decides which came first; what was refused is shown above the drawing."),
       heading("History"),
       text("Every edit makes a revision. History (Ctrl+Shift+H) lists them, shows what has changed, restores one, or branches from it."),
+      heading("Coverage of tests"),
+      text("`race test --coverage --json FILE > coverage.json` writes which states, ports and conditions the tests of a model come to. Coverage (Ctrl+Shift+Y) opens that file and marks in the drawing what no test comes to. Make a test, at the end of a run and in the list of runs, saves a run as a test file for `race test`."),
       heading("Proposals"),
       text("Who may not change documents, such as an agent of a language model, proposes a change: the top bar says how many wait. Accept one, and it is the next revision, which you can undo; or decline it, and say why. One whose document has changed since is outdated: it has to be proposed anew."),
     ],

@@ -13,7 +13,7 @@ const kPeople = ["person-0", "person-1", "person-2", "person-3", "person-4", "pe
 const kProText: Pairs = {
   ...Object.fromEntries(kPeople.map((person) => [person, ["on-fill"]])),
   paper: kWords,
-  panel: [...kWords, ...kRules, ...kProgram, "brand", "oracle", "hand-ink"],
+  panel: [...kWords, ...kRules, ...kProgram, "brand", "oracle", "hand-ink", "uncovered"],
   sunken: [...kWords, ...kRules],
   inset: [...kWords, ...kProgram, "oracle"],
   floating: [...kWords, "hand-ink"],
@@ -31,12 +31,13 @@ const kProText: Pairs = {
   bad: ["on-fill"],
   hand: ["on-fill"],
   fired: ["on-fired"],
+  uncovered: ["on-fill"],
 };
 
 const kProGraphics: Pairs = {
-  paper: ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent", "wait", "bad", "breakpoint", "oracle", ...kPeople],
-  panel: ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent", "wait", "bad", "breakpoint", "brand", "oracle", ...kPeople],
-  inset: ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent", "wait", "bad", "breakpoint", ...kPeople],
+  paper: ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent", "wait", "bad", "breakpoint", "uncovered", "oracle", ...kPeople],
+  panel: ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent", "wait", "bad", "breakpoint", "uncovered", "brand", "oracle", ...kPeople],
+  inset: ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent", "wait", "bad", "breakpoint", "uncovered", ...kPeople],
   sunken: ["accent", "active", "wait", "bad", "breakpoint"],
   "accent-soft": ["accent", "active"],
   "active-inset": ["outline", "line", "line-quiet", "solid", "active", "fired-line", "accent"],

@@ -6,6 +6,7 @@ import { closeDocument, editing, mayClose } from "../editing";
 import { ask } from "../prompt";
 import { refuse, tellDone } from "../say";
 import { whenStored } from "../whenStored";
+import { isCoverageShown, showCoverage } from "../../coverage/coverage";
 import { isHistoryShown, showHistory } from "../../versions/history";
 import type { Action } from "./action";
 
@@ -72,6 +73,11 @@ const versions: Action = {
   run: () => showHistory(!isHistoryShown()),
 };
 
+const coverage: Action = {
+  id: "coverage", name: "Coverage of tests on the document, or close it", keys: ["Ctrl+Shift+Y"], group: "Document", where: "anywhere", when: always,
+  run: () => showCoverage(!isCoverageShown()),
+};
+
 const closing: Action = {
   id: "close", name: "Close the document", keys: [], group: "Document", where: "untyped", when: always,
   run: () => {
@@ -81,4 +87,4 @@ const closing: Action = {
   },
 };
 
-export const documentActions: readonly Action[] = [saving, running, palette, versions, closing];
+export const documentActions: readonly Action[] = [saving, running, palette, versions, coverage, closing];
