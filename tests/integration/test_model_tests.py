@@ -266,7 +266,7 @@ class OfRuns(TestCase):
             server.ended(running)
             self.assertEqual(refused(running, 422), ("not_accepted", "somebody has edited, forced or aborted the run, as no test can"))
             self.assertEqual(refused("77", 404)[0], "not_found")
-            large = server.core(models.storing(), {"value": "x" * 1_100_000})
+            large = server.core(models.storing(), {"value": [1] * 100_000})
             self.assertEqual(server.ended(large)["status"], "ended")
             self.assertEqual(refused(large, 413)[0], "too_large")
 

@@ -1,5 +1,5 @@
 // A test of a run that is over, saved as a file for `race test`: its button in a row or card, and what is told of it there.
-import { useState } from "react";
+import { useEffect, useRef, useState } from "react";
 import { modelFileOf, testFileOf } from "../../shared/runs/testFile";
 import { useSession } from "../client";
 import { useAttempt } from "../documents/useAttempt";
@@ -44,13 +44,17 @@ export function MakeTest({ id, document }: Props) {
   const offline = useSession((s) => s.connection !== "open");
   const { attempt, reason, busy } = useAttempt();
   const [saved, setSaved] = useState(false);
+  const element = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    if (saved || reason !== undefined) element.current?.scrollIntoView({ block: "nearest" });
+  }, [saved, reason]);
   return (
-    <div className="make-test">
+    <div className="make-test" ref={element}>
       <MakeTestButton id={id} document={document} disabled={offline || busy} attempt={attempt} onSaved={setSaved} />
       {saved && <SavedTest document={document} />}
       {reason !== undefined && (
         <p className="bad" role="alert">
-          No test is made: {reason}
+          {reason}
         </p>
       )}
     </div>

@@ -1,6 +1,7 @@
 // What is done with stored runs, and the place of their list in the address.
 import { addressWith, placeOfAddress } from "../../shared/session/address";
 import type { Moment } from "../../shared/past/moment";
+import { messageOf } from "../../shared/messageOf";
 import { testFileOf } from "../../shared/runs/testFile";
 import { watchedCore } from "../../shared/session/session";
 import { api, problem, session, turnToRun, view } from "../client";
@@ -30,7 +31,10 @@ export async function openRunAt(id: string, moment: Moment): Promise<void> {
 
 /** Saves a test of a run as a file. Throws why none can be made. */
 export async function saveTest(id: string, document: string): Promise<void> {
-  saveText(testFileOf(document), "application/json", await api.runTest(id));
+  const text = await api.runTest(id).catch((error: unknown) => {
+    throw new Error(`No test is made: ${messageOf(error)}`);
+  });
+  saveText(testFileOf(document), "application/json", text);
 }
 
 /** Stores the file of a run, and shows it. Throws what the server refuses. */

@@ -2,7 +2,7 @@
 import type { ConditionValue, ModelCoverage } from "../../generated/messages";
 import { nameOfElement } from "../edit/commands/command";
 import { elementOf, type Tree } from "../edit/tree";
-import { valueText, neverText, partlyText } from "./texts";
+import { kNeverAlone, neverText, partlyText, valueText } from "./texts";
 
 export interface Count {
   readonly covered: number;
@@ -74,13 +74,16 @@ function byState(conditions: readonly ConditionValue[]): ReadonlyMap<string, rea
   return found;
 }
 
+/** A link to a state of the library is active in its place: the state itself, in tests of it alone. */
+const isLibraryState = (place: string): boolean => /^library\/[^/.]+$/.test(place);
+
 function marksOf({ states, ports, conditions }: ModelCoverage, places: ReadonlyMap<string, string>): ReadonlyMap<string, CoverageMark> {
   const marks = new Map<string, CoverageMark>();
   const mark = (place: string, made: CoverageMark) => {
     const id = places.get(place);
     if (id !== undefined && !marks.has(id)) marks.set(id, made);
   };
-  for (const place of states.missing) mark(place, { kind: "never", text: neverText("states") });
+  for (const place of states.missing) mark(place, { kind: "never", text: isLibraryState(place) ? kNeverAlone : neverText("states") });
   for (const place of ports.missing) mark(place, { kind: "never", text: neverText("ports") });
   const reached = byState(conditions.reached);
   for (const [place, missing] of byState(conditions.missing)) {

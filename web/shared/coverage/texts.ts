@@ -6,12 +6,14 @@ import type { CoverageReport } from "./report";
 export const kKindNames: Readonly<Record<GapKind, string>> = { states: "States", ports: "Ports", conditions: "Values of conditions" };
 
 /** Of what is missing. */
-export const kGapNames: Readonly<Record<GapKind, string>> = { states: "Never active", ports: "Never fired", conditions: "Conditions never so" };
+export const kGapNames: Readonly<Record<GapKind, string>> = { states: "Never active", ports: "Never fired", conditions: "Values never seen" };
 
 /** The value that a condition never had. */
 export const valueText = (value: boolean): string => (value ? "never true" : "never false");
 
 export const neverText = (kind: "states" | "ports"): string => `${kGapNames[kind]} in the tests`;
+
+export const kNeverAlone = "No test runs it by itself";
 
 /** So many of the conditions of a state are named. */
 const kNamed = 3;

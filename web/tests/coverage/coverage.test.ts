@@ -53,6 +53,10 @@ describe("coverage of a document", () => {
       "a partly: 2 of 4 values of conditions seen: done never false, action 1 never false",
     ]);
   });
+  it("says of a state of the library that it was not tested by itself, as links to it are active in its place", () => {
+    const { marks } = coverageOf(document, { ...model, states: places([], ["library/Open"]) });
+    expect(marks.get("open")).toEqual({ kind: "never", text: "No test runs it by itself" });
+  });
   it("fits the document of the same states and ports", () => {
     expect([coverage.unknown, coverage.untold]).toEqual([[], []]);
   });
