@@ -31,6 +31,34 @@ struct RecordedCall {
   std::optional<Dict> answer = {};
 };
 
+/// JSON with a line for each item of the first `levels` levels; what is deeper stands in its item's line: data may be
+/// deep, and its indentation many times as long as it is.
+void write_lines(const Value& value, int levels, const std::string& indent, std::string& text) {
+  const bool is_dict = value.is_dict();
+  const std::size_t size = is_dict ? value.as_dict().size() : value.is_list() ? value.as_list().size() : 0;
+  if (levels == 0 || size == 0) {
+    text += to_json(value);
+    return;
+  }
+  const std::string inner = indent + "  ";
+  const char* separator = "\n";
+  text += is_dict ? '{' : '[';
+  if (is_dict) {
+    for (const auto& [key, item] : value.as_dict()) {
+      text += separator + inner + to_json(key) + ": ";
+      write_lines(item, levels - 1, inner, text);
+      separator = ",\n";
+    }
+  } else {
+    for (const Value& item : value.as_list()) {
+      text += separator + inner;
+      write_lines(item, levels - 1, inner, text);
+      separator = ",\n";
+    }
+  }
+  text += '\n' + indent + (is_dict ? '}' : ']');
+}
+
 class Conversion {
  public:
   Conversion(const RecordedRun& run, const std::atomic<bool>* stop) : run_(run), stop_(stop) {}
@@ -71,9 +99,11 @@ class Conversion {
 
   Expected<void> note_input(const execution::JournalEntry& entry) {
     if (const auto* event = std::get_if<execution::EventEntry>(&entry)) {
+      text_ += to_json(event->data).size();
       scripts_[event->service].events.emplace_back(Dict{{"event", event->event}, {"data", event->data}, {"at", time_}});
     } else if (const auto* response = std::get_if<execution::ResponseEntry>(&entry)) {
       const auto call = calls_.find(response->call);
+      text_ += to_json(response->data).size();
       if (call != calls_.end())  // else the run does not take it
         call->second.answer = Dict{{"operation", response->operation},
                                    {response->is_error ? "error" : "result", response->data},
@@ -159,7 +189,10 @@ class Conversion {
 Checked<std::string> test_of_run(const std::string& name, const RecordedRun& run, const std::atomic<bool>* stop) {
   const auto test = Conversion(run, stop).test(name);
   if (!test) return tl::unexpected(std::vector<Error>{test.error()});
-  std::string text = to_json(*test, 2) + '\n';
+  constexpr int kLevels = 7;  // down to each answer, event and call
+  std::string text;
+  write_lines(*test, kLevels, "", text);
+  text += '\n';
   if (auto file = read_test_text(text); !file) return tl::unexpected(std::move(file).error());
   return text;
 }

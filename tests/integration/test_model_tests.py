@@ -266,9 +266,22 @@ class OfRuns(TestCase):
             server.ended(running)
             self.assertEqual(refused(running, 422), ("not_accepted", "somebody has edited, forced or aborted the run, as no test can"))
             self.assertEqual(refused("77", 404)[0], "not_found")
-            large = server.core(models.storing(), {"value": [1] * 100_000})
+            large = server.core(models.storing(), {"value": ["x" * 1000] * 1200})
             self.assertEqual(server.ended(large)["status"], "ended")
-            self.assertEqual(refused(large, 413)[0], "too_large")
+            self.assertEqual(refused(large, 413), ("too_large", "the test would have more than 4 MiB"))
+
+    def test_of_deep_data_is_no_longer_than_the_data(self):
+        """Each level in a line of its own would make it many times as long."""
+        deep = 1
+        for _ in range(40):
+            deep = [deep]
+        value = [deep] * 2000
+        with Server() as server:
+            run = server.core(models.storing(), {"value": value})
+            self.assertEqual(server.ended(run)["status"], "ended")
+            with urllib.request.urlopen(f"{server.url}/api/v1/runs/{run}/test", timeout=TIMEOUT) as answer:
+                text = answer.read()
+        self.assertLess(len(text), 5 * len(json.dumps(value)))
 
     def test_what_makes_no_test_leaves_no_file(self):
         name = self.exported(models.storing(), {"value": 7})

@@ -6,6 +6,8 @@
 #include <map>
 #include <set>
 
+#include "core/execution/journal.h"
+#include "core/rcm/document.h"
 #include "core/rsm/document.h"
 #include "core/rsm/type.h"
 #include "core/value/json.h"
@@ -15,6 +17,7 @@
 #include "server/model_tests/junit.h"
 #include "server/model_tests/mock.h"
 #include "server/model_tests/test_file.h"
+#include "server/model_tests/test_of_run.h"
 #include "server/model_tests/tested_model.h"
 
 namespace race::server {
@@ -357,6 +360,44 @@ TEST(Junit, HasASuiteForEachFileAndEscapesTexts) {
   EXPECT_THAT(xml, HasSubstr("x&lt;y"));
   EXPECT_THAT(xml, HasSubstr("&quot;&amp;?"));
   EXPECT_THAT(xml, HasSubstr("seed 2"));
+}
+
+// A run that ends with its last of `ticks`, each of which brings `data`.
+RecordedRun ticking(int ticks, const Value& data) {
+  const rcm::Document document = rcm::read_document_text(R"({"rcm": 1, "services": {"t": "timer"},
+    "root": {"state": "Root", "results": [{"name": "n", "initial": 0}],
+             "actions": [{"when": "svc.t.tick is not None", "do": "res.n = res.n + 1"}],
+             "ports": [{"name": "done", "when": "res.n >= )" +
+                                                         std::to_string(ticks) + R"("}]}})")
+                                     .value();
+  const rsm::Service timer = rsm::read_service_text(R"({"events": [{"name": "tick"}]})", "timer").value();
+  RecordedRun run{execution::journal_of(document, {{"t", timer}}), {}, {{"t", timer}}};
+  run.journal.entries.emplace_back(execution::StartEntry{});
+  for (int i = 0; i < ticks; ++i) run.journal.entries.emplace_back(execution::EventEntry{"t", "tick", data});
+  return run;
+}
+
+TEST(TestOfRun, HasTheInputsOfTheRunInLinesOfTheirOwn) {
+  const auto text = test_of_run("a", ticking(3, Dict{{"deep", List{List{List{1}}}}}));
+  ASSERT_TRUE(text) << to_string(text.error().front());
+  EXPECT_THAT(*text, HasSubstr("\n              {\"event\":\"tick\",\"data\":{\"deep\":[[[1]]]},\"at\":"));
+  EXPECT_THAT(*text, HasSubstr("\"outcome\": \"done\""));
+}
+
+TEST(TestOfRun, IsBoundedByItsData) {
+  const Value large = std::string(1'000'000, 'x');
+  EXPECT_TRUE(test_of_run("a", ticking(3, large)));
+  const auto text = test_of_run("a", ticking(5, large));
+  ASSERT_FALSE(text);
+  EXPECT_EQ(text.error().front().code, ErrorCode::too_large);
+  EXPECT_EQ(text.error().front().message, "the test would have more than 4 MiB") << "before it is written";
+}
+
+TEST(TestOfRun, EndsWhenNobodyWaitsForIt) {
+  const std::atomic<bool> stop = true;
+  const auto text = test_of_run("a", ticking(3, 1), &stop);
+  ASSERT_FALSE(text);
+  EXPECT_EQ(text.error().front().code, ErrorCode::unavailable);
 }
 
 }  // namespace

@@ -9,10 +9,10 @@ import { messageOf } from "../../shared/messageOf";
 import { useShownCanvas } from "../canvas/canvasView";
 import { session } from "../client";
 import { editing, openDocument, useEditing } from "../edit/editing";
-import { showHistory } from "../versions/history";
+import { isHistoryShown, showHistory, useHistory } from "../versions/history";
 
 interface Opened {
-  /** The panel, and with it the signs in the drawing. */
+  /** The panel, and with it the signs in the drawing, unless the history is over it. */
   readonly shown: boolean;
   readonly report?: CoverageReport;
   /** A model of it that was chosen; nothing: that of the document. */
@@ -25,7 +25,12 @@ const store = createStore<Opened, Opened>({ shown: false }, (_, next) => next);
 
 export const useOpened = <T>(select: (opened: Opened) => T): T => useSelected(store, select);
 
-export const isCoverageShown = (): boolean => store.get().shown;
+export const isCoverageShown = (): boolean => store.get().shown && !isHistoryShown();
+
+export function useCoverageShown(): boolean {
+  const history = useHistory((now) => now.shown);
+  return useOpened((opened) => opened.shown) && !history;
+}
 
 /** Shows the panel, which stands where the history does; closed, the file is forgotten. */
 export function showCoverage(shown: boolean): void {
@@ -67,7 +72,9 @@ export interface ShownCoverage extends DocumentCoverage {
 
 /** What the file says of the document that is edited; nothing: no file is open, or the document is not here. */
 export function useCoverage(): ShownCoverage | undefined {
-  const report = useOpened(({ shown, report }) => (shown ? report : undefined));
+  const shown = useCoverageShown();
+  const opened = useOpened((now) => now.report);
+  const report = shown ? opened : undefined;
   const chosen = useOpened(({ model }) => model);
   const document = useEditing((now) => now.document);
   const tree = useEditing((now) => now.session?.view);

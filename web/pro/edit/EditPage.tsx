@@ -8,7 +8,7 @@ import { loadCodeEditor } from "../code/CodeField";
 import { CommentCount, CommentList } from "../comments/CommentList";
 import { CommentMarks } from "../comments/CommentMarks";
 import { CoverageMarks } from "../coverage/CoverageMarks";
-import { useOpened } from "../coverage/coverage";
+import { useCoverageShown } from "../coverage/coverage";
 import { runAction } from "./actions/action";
 import { actionOf } from "./actions/registry";
 import { useActionKeys } from "./actions/useActionKeys";
@@ -157,7 +157,7 @@ function HistoryButton() {
 }
 
 function CoverageButton() {
-  const shown = useOpened((opened) => opened.shown);
+  const shown = useCoverageShown();
   const action = actionOf("coverage");
   return (
     <button type="button" aria-pressed={shown} title={`${action.name} (${action.keys[0] ?? ""})`} onClick={() => runAction(action)}>

@@ -1,7 +1,7 @@
 // Left of the document that is edited: search, what can be added, the library, the services, and its states; or its history, or the coverage of its tests, with its states.
 import type { ModelTree } from "../../shared/model/modelTree";
 import { CoveragePanel } from "../coverage/CoveragePanel";
-import { useOpened } from "../coverage/coverage";
+import { useCoverageShown } from "../coverage/coverage";
 import { BreakpointsPanel } from "../debugger/BreakpointsPanel";
 import { SearchBox } from "../panels/SearchBox";
 import { StateTree } from "../panels/StateTree";
@@ -13,7 +13,7 @@ import { ServicePalette } from "./ServicePalette";
 
 export function EditSide({ tree }: { readonly tree: ModelTree | undefined }) {
   const history = useHistory((now) => now.shown);
-  const coverage = useOpened((opened) => opened.shown);
+  const coverage = useCoverageShown();
   return (
     <aside className="side side-left" aria-label="Document">
       {history ? (
