@@ -8,6 +8,7 @@ namespace race::server {
 void get_run_test(const Request& request, Respond respond, Runs& runs, Worker& replays) {
   const auto run = run_of(request, runs);
   if (!run) return respond(failed(run.error()));
+  if (!run->is_over()) return respond(failed(Error{ErrorCode::not_accepted, "the run is not over"}));
   replays.ask<std::string, std::vector<Error>>(
       [&runs, id = run->id](const Stop& stop) -> Checked<std::string> {
         const auto recorded = recorded_run(id, runs);

@@ -43,7 +43,9 @@ MockAnswer read_answer(const Value& json, const std::string& path, Errors& error
   MockAnswer answer;
   answer.operation = required_text(fields, "operation");
   const auto result = fields.constant("result"), error = fields.constant("error");
-  answer.never = fields.boolean("never").value_or(false);
+  const auto never = fields.boolean("never");
+  answer.never = never.value_or(false);
+  if (never && !*never) fields.violation(ErrorCode::constant, "`never` is true, or not there", "never");
   answer.repeat = fields.boolean("repeat").value_or(false);
   answer.after = read_number(fields, "after", 0).value_or(kAnswerAfter);
   const int given = (result ? 1 : 0) + (error ? 1 : 0) + (answer.never ? 1 : 0);

@@ -2096,7 +2096,8 @@ Call export_run(std::string_view run);
 ///
 /// Answers api/schemas/task_test.json.
 ///
-/// 400: `out_of_range`: the run took longer than a test may, a day.
+/// 400: `out_of_range`: the run took longer than a test may, a day. `too_deep`: its data is deeper than that of a test
+/// may be.
 ///
 /// 404: There is nothing of this name or number (`not_found`).
 ///

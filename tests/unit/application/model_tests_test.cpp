@@ -75,6 +75,7 @@ TEST(TestFile, KnowsWhatAnAnswerIs) {
   const std::string at = "tests/0/services/s/answers/0";
   EXPECT_EQ(answer(", 'result': null"), Places{});
   EXPECT_EQ(answer(", 'never': true"), Places{});
+  EXPECT_EQ(answer(", 'result': 1, 'never': false"), (Places{{at + "/never", "constant"}}));
   EXPECT_EQ(answer(""), (Places{{at, "missing"}}));
   EXPECT_EQ(answer(", 'result': 1, 'never': true"), (Places{{at, "conflict"}}));
   EXPECT_EQ(answer(", 'error': {}"), (Places{{at + "/error", "type"}}));

@@ -55,5 +55,5 @@ export function DropTarget() {
       for (const [type, listener] of Object.entries(listeners)) removeEventListener(type, listener as EventListener, true);
     };
   }, []);
-  return over ? <div className="drop-hint">{refusal === undefined ? "Drop files here: documents, runs, or the coverage of tests" : `Files are not stored: ${refusal}`}</div> : null;
+  return over ? <div className="drop-hint">{refusal === undefined ? "Drop files here: documents, runs, or the coverage of tests" : `Only the coverage of tests is shown; nothing is stored: ${refusal}`}</div> : null;
 }

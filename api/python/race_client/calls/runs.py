@@ -354,7 +354,7 @@ def export_run(run: str) -> Call[RunFile]:
 def get_run_test(run: str) -> Call[TaskTest]:
     """A test of the run as a file for `race test`: its inputs as what mocks answer, and what came of them as what is expected.
 
-    400: `out_of_range`: the run took longer than a test may, a day.
+    400: `out_of_range`: the run took longer than a test may, a day. `too_deep`: its data is deeper than that of a test may be.
 
     404: There is nothing of this name or number (`not_found`).
 
