@@ -189,7 +189,7 @@ class Conversion {
 Checked<std::string> test_of_run(const std::string& name, const RecordedRun& run, const std::atomic<bool>* stop) {
   const auto test = Conversion(run, stop).test(name);
   if (!test) return tl::unexpected(std::vector<Error>{test.error()});
-  constexpr int kLevels = 7;  // down to each answer, event and call
+  constexpr int kLevels = 6;  // down to each answer, event and call
   std::string text;
   write_lines(*test, kLevels, "", text);
   text += '\n';

@@ -6,7 +6,6 @@
 #include <map>
 #include <set>
 
-#include "core/execution/journal.h"
 #include "core/rcm/document.h"
 #include "core/rsm/document.h"
 #include "core/rsm/type.h"
@@ -19,6 +18,7 @@
 #include "server/model_tests/test_file.h"
 #include "server/model_tests/test_of_run.h"
 #include "server/model_tests/tested_model.h"
+#include "tests/unit/core/execution/journals.h"
 
 namespace race::server {
 namespace {
