@@ -18,7 +18,7 @@ async function textOf(file: string): Promise<string> {
   return answer.text();
 }
 
-async function load(): Promise<World> {
+export async function loadWorld(): Promise<World> {
   const { bodies, robots } = await api.cell();
   return { bodies, robots: await Promise.all(robots.map(async (robot) => ({ ...robot, text: await textOf(robot.urdf) }))) };
 }
@@ -30,7 +30,7 @@ export function useWorld(): { readonly world: World | undefined; readonly proble
   const [refused, setRefused] = useState<string>();
   useEffect(() => {
     if (away !== undefined) return;
-    const end = loadInAttempts(load, {
+    const end = loadInAttempts(loadWorld, {
       onLoaded(loaded) {
         setWorld(loaded);
         setRefused(undefined);

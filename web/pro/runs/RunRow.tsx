@@ -10,10 +10,13 @@ import { useRefusal } from "../login/rights";
 import { openRun } from "./actions";
 import { CompareRun } from "./CompareRun";
 import { MakeTestButton, SavedTest } from "./MakeTest";
+import { ExportRun } from "./ExportRun";
 import { removeRun } from "./runs";
 import { counted } from "../../shared/counted";
 
 const kDate = new Intl.DateTimeFormat(undefined, { dateStyle: "medium", timeStyle: "medium" });
+
+const kExportTitle = "For Foxglove: frames, joints, pictures, state, calls and derivations, as far as they are recorded";
 
 interface Props {
   readonly run: Run;
@@ -26,6 +29,7 @@ export function RunRow({ run, offline }: Props) {
   const [asked, ask] = useState(false);
   const [compared, compare] = useState(false);
   const [saved, setSaved] = useState(false);
+  const [exported, exportIt] = useState(false);
   const other = useSession((s) => (s.watched === id ? undefined : s.watched));
   const { attempt, reason, busy } = useAttempt();
   const hosted = useSession((s) => s.cores.find((core) => core.id === id));
@@ -56,12 +60,16 @@ export function RunRow({ run, offline }: Props) {
           Download
         </a>
         <MakeTestButton id={id} document={document} disabled={disabled} attempt={attempt} onSaved={setSaved} />
+        <button type="button" disabled={disabled || exported || steps === 0} title={steps === 0 ? "It has no macro step" : kExportTitle} onClick={() => exportIt(true)}>
+          Export MCAP
+        </button>
         <button type="button" disabled={disabled || held || refusal !== undefined} title={refusal ?? (held ? "Its core is not over: stop it first" : undefined)} aria-expanded={asked} onClick={() => ask(!asked)}>
           Delete
         </button>
       </div>
       {saved && <SavedTest document={document} />}
       {compared && other !== undefined && <CompareRun id={id} other={other} />}
+      {exported && <ExportRun id={id} close={() => exportIt(false)} />}
       {asked && (
         <div className="ask-delete" role="group" aria-label={`Delete run ${id}?`}>
           <span>Delete run {id}, with its journal{hosted === undefined ? "" : " and its core"}? It cannot be taken back.</span>
