@@ -13,7 +13,7 @@ export interface RunTimes {
   readonly arrived: (step: number) => number | undefined;
   /** Macro steps whose time is not recorded. */
   readonly untimed: number;
-  /** In order of time, each change once. */
+  /** In order of time, each change once, as long as the run was not over: a few milliseconds more may be recorded. */
   readonly services: readonly ServiceChange[];
 }
 
@@ -60,7 +60,7 @@ export function runTimes({ steps, created, ended }: Pick<Run, "steps" | "created
     isTimed,
     arrived: (step) => (Number.isNaN(arrivals[step] ?? NaN) ? undefined : arrivals[step]),
     untimed: steps - timed.slice(1).reduce((sum, one) => sum + one, 0),
-    services: services.sort((a, b) => a.time - b.time),
+    services: services.filter(({ time }) => time <= end).sort((a, b) => a.time - b.time),
   };
 }
 

@@ -25,6 +25,10 @@ describe("the times of a run", () => {
     const both = [timing([], [idle, { service: "b", time: 3, state: "On" }, busy]), timing([], [idle, busy, { ...busy, time: 7 }, away])];
     expect(runTimes({ steps: 0, created: 0 }, both).services).toEqual([idle, { service: "b", time: 3, state: "On" }, busy, away]);
   });
+  it("have no change of a service after the end", () => {
+    const changes = [1000, 2000, 2001].map((time, i) => ({ service: "a", time, state: String(i) }));
+    expect(runTimes({ steps: 0, created: 5, ended: 7 }, [timing([], changes)]).services).toEqual(changes.slice(0, 2));
+  });
 });
 
 describe("the world's clock on that of a run", () => {
