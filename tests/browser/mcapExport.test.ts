@@ -176,7 +176,7 @@ describe("a run whose camera is looked at", () => {
     const run = await runToEnd("looking");
     const { pictures } = await get<RunPictures>(`/runs/${run.id}/pictures`);
     expect(pictures.length).toBeGreaterThan(0);
-    await page.reload();
+    await page.goto(`${fixture.url}/pro/?runs=1`);
     const file = await exported(run.id);
     const service = pictures[0]?.service ?? "";
     const found = onTopic(file, `/images/${service}`);
@@ -192,24 +192,29 @@ describe("a run whose camera is looked at", () => {
   it("is not saved if its export is cancelled", async () => {
     const { runs } = await get<{ readonly runs: readonly Run[] }>("/runs");
     const id = runs[0]?.id ?? "";
+    await page.goto(`${fixture.url}/pro/?runs=1`);
+    const samples = `**/api/v1/runs/${id}/samples`;
     let answer: () => void = () => undefined;
     const held = new Promise<void>((resolve) => (answer = resolve));
-    await page.route(`**/api/v1/runs/${id}/samples`, async (route) => {
+    await page.route(samples, async (route) => {
       await held;
       await route.continue();
     });
     let saved = 0;
     page.on("download", () => saved++);
+    const asked = page.waitForRequest(samples);
     await row(id).getByRole("button", { name: "Export MCAP" }).click();
     await exporting(id).getByRole("progressbar", { name: `Exporting run ${id}` }).waitFor();
+    await asked;
     await exporting(id).getByRole("button", { name: "Cancel" }).click();
     await soon(() => exporting(id).count()).toBe(0);
-    const answered = page.waitForResponse(`**/api/v1/runs/${id}/samples`);
+    const answered = page.waitForResponse(samples);
     answer();
     await (await answered).finished();
-    await page.unroute(`**/api/v1/runs/${id}/samples`);
-    // A second one, which is saved, is the only one.
+    await page.unroute(samples);
+    // A second one goes on after what the first one would have done, and is the only one that is saved.
     await exported(id);
+    await soon(() => exporting(id).getByRole("status").innerText()).toContain("Saved as");
     expect(saved).toBe(1);
   });
 });
