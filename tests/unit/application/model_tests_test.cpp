@@ -381,7 +381,7 @@ RecordedRun ticking(int ticks, const Value& data) {
 TEST(TestOfRun, HasTheInputsOfTheRunInLinesOfTheirOwn) {
   const auto text = test_of_run("a", ticking(3, Dict{{"deep", List{List{List{1}}}}}));
   ASSERT_TRUE(text) << to_string(text.error().front());
-  EXPECT_THAT(*text, HasSubstr("\n              {\"event\":\"tick\",\"data\":{\"deep\":[[[1]]]},\"at\":"));
+  EXPECT_THAT(*text, HasSubstr("\n            {\"event\":\"tick\",\"data\":{\"deep\":[[[1]]]},\"at\":"));
   EXPECT_THAT(*text, HasSubstr("\"outcome\": \"done\""));
 }
 
