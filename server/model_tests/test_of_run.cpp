@@ -72,7 +72,9 @@ class Conversion {
       if (auto noted = note_input(entry); !noted) return tl::unexpected(std::move(noted).error());
       ASSIGN_OR_RETURN(const execution::Progress* progress, execution.replay(entry, {.entry = false}));
       note_step(*progress, execution.run().program());
-      if (text_ > kMaxTestFile) return unexpected(ErrorCode::too_large, "the test would have more than 4 MiB");
+      if (text_ > kMaxTestFile)
+        return unexpected(ErrorCode::too_large,
+                          "the test would have more than " + std::to_string(kMaxTestFile >> 20U) + " MiB");
     }
     if (!execution.is_over()) return unexpected(ErrorCode::not_accepted, "the run is not over");
     Dict test{{"name", name}};

@@ -1,5 +1,6 @@
 // Applications that come as files of another server: the button that installs them, and what became of each.
-import { useEffect, useRef } from "react";
+import { useEffect } from "react";
+import { FileButton } from "../page/FileButton";
 import { CodeText } from "../pro/panels/CodeText";
 import { namesOf } from "../shared/documents/listed";
 import { freeDocumentName } from "../shared/documents/names";
@@ -12,28 +13,15 @@ import { texts } from "./texts";
 const t = texts.bundles;
 
 export function Bundles() {
-  const files = useRef<HTMLInputElement>(null);
   const refusal = useRefusal("store_document");
   const offline = useSession((s) => s.connection !== "open");
   const bundles = useBundles();
   useEffect(() => forgetStored, []);
   return (
     <section className="bundles" aria-label={t.title}>
-      <button type="button" disabled={offline || refusal !== undefined} title={refusal ?? t.about} onClick={() => files.current?.click()}>
+      <FileButton name={t.files} multiple disabled={offline || refusal !== undefined} title={refusal ?? t.about} onFiles={(files) => upload(files, { bundle: true })}>
         {t.install}
-      </button>
-      <input
-        ref={files}
-        type="file"
-        hidden
-        multiple
-        accept=".json,application/json"
-        aria-label={t.files}
-        onChange={(event) => {
-          upload(event.target.files ?? [], { bundle: true });
-          event.target.value = "";
-        }}
-      />
+      </FileButton>
       {bundles.length > 0 && (
         <ul aria-label={t.title}>
           {bundles.map((bundle) => (

@@ -2,7 +2,8 @@
 import { CanvasLayer } from "../canvas/CanvasLayer";
 import { kMostDrawn, useDrawnCoverage } from "./coverage";
 
-const kSigns = { never: "0×", partly: "½" } as const;
+/** What stands at a sign; the panel explains it. */
+export const kSigns = { never: "0×", partly: "½" } as const;
 
 export function CoverageMarks() {
   const drawn = useDrawnCoverage();

@@ -1,10 +1,12 @@
 // Left of the drawing: the coverage of tests that was opened, how much there is of it, and what no test has come to.
 import { useEffect, useRef, type KeyboardEvent } from "react";
+import { FileButton } from "../../page/FileButton";
 import { documentOfModel } from "../../shared/coverage/report";
 import { countText, kKindNames, otherText, reportText } from "../../shared/coverage/texts";
 import { useView } from "../client";
 import { useEditing } from "../edit/editing";
 import { chooseModel, kMostDrawn, openCoverage, showCoverage, useCoverage, useDrawnCoverage, useOpened, type ShownCoverage } from "./coverage";
+import { kSigns } from "./CoverageMarks";
 import { GapList } from "./GapList";
 
 const kKinds = ["states", "ports", "conditions"] as const;
@@ -51,24 +53,16 @@ export function CoveragePanel() {
 }
 
 function OpenFile() {
-  const files = useRef<HTMLInputElement>(null);
   return (
     <div className="coverage-open">
-      <button type="button" onClick={() => files.current?.click()}>
-        Open a file…
-      </button>
-      <input
-        ref={files}
-        type="file"
-        hidden
-        accept=".json,application/json"
-        aria-label="File with the coverage of tests"
-        onChange={({ target }) => {
-          const [file] = target.files ?? [];
+      <FileButton
+        name="File with the coverage of tests"
+        onFiles={([file]) => {
           if (file !== undefined) void openCoverage(file);
-          target.value = "";
         }}
-      />
+      >
+        Open a file…
+      </FileButton>
     </div>
   );
 }
@@ -109,10 +103,10 @@ function Shown({ coverage }: { readonly coverage: ShownCoverage }) {
       </dl>
       <ul className="coverage-signs" aria-label="Signs in the drawing">
         <li>
-          <span className="coverage-sign is-never" aria-hidden="true">0×</span> never active, or never fired
+          <span className="coverage-sign is-never" aria-hidden="true">{kSigns.never}</span> never active, or never fired
         </li>
         <li>
-          <span className="coverage-sign is-partly" aria-hidden="true">½</span> conditions, or what is in it, in part
+          <span className="coverage-sign is-partly" aria-hidden="true">{kSigns.partly}</span> conditions, or what is in it, in part
         </li>
       </ul>
       {drawn.length > kMostDrawn && <p className="quiet pad">The drawing has the first {kMostDrawn} signs of {drawn.length}: enter a state to see its own.</p>}

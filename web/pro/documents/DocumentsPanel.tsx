@@ -1,5 +1,6 @@
 // The documents of the server, over the page: opened with Ctrl+O or the button of the top bar, closed with Esc.
 import { useEffect, useMemo, useRef, useState, type KeyboardEvent } from "react";
+import { FileButton } from "../../page/FileButton";
 import { matching, namesOf } from "../../shared/documents/listed";
 import { freeDocumentName } from "../../shared/documents/names";
 import { kMostBytes, sizeText } from "../../shared/documents/uploads";
@@ -107,7 +108,6 @@ interface MakingProps {
 
 /** The search, and how a document comes to be: by a name, or from a file. */
 function Making({ taken, offline, children }: MakingProps) {
-  const files = useRef<HTMLInputElement>(null);
   const [asked, ask] = useState(false);
   const { attempt, reason, busy } = useAttempt();
   const refusal = useRefusal("store_document");
@@ -118,21 +118,9 @@ function Making({ taken, offline, children }: MakingProps) {
         <button type="button" disabled={offline || refusal !== undefined} title={refusal} aria-expanded={asked} onClick={() => ask(!asked)}>
           New
         </button>
-        <button type="button" disabled={offline || refusal !== undefined} title={refusal ?? `Or drop files anywhere on the page; at most ${sizeText(kMostBytes)} each`} onClick={() => files.current?.click()}>
+        <FileButton name="Files to upload" multiple disabled={offline || refusal !== undefined} title={refusal ?? `Or drop files anywhere on the page; at most ${sizeText(kMostBytes)} each`} onFiles={(files) => upload(files)}>
           Upload
-        </button>
-        <input
-          ref={files}
-          type="file"
-          hidden
-          multiple
-          accept=".json,application/json"
-          aria-label="Files to upload"
-          onChange={(event) => {
-            upload(event.target.files ?? []);
-            event.target.value = "";
-          }}
-        />
+        </FileButton>
       </div>
       <p className="quiet">{refusal === undefined ? `Files can be dropped anywhere on the page, each of at most ${sizeText(kMostBytes)}.` : `You cannot store documents: ${refusal}.`}</p>
       {asked && <NameForm label="Name" does="Create" wish={freeDocumentName("task", taken)} taken={taken} disabled={offline || busy} focus onName={(name) => void attempt(() => create(name))} onCancel={() => ask(false)} />}
