@@ -108,11 +108,12 @@ describe("a bundle of another server", () => {
     fixture.allowError(/^Failed to load resource: the server responded with a status of 4/);
     await page.goto(`${fixture.url}/one/`);
     await page.getByRole("link", { name: /demonstrator/ }).waitFor();
+    // Long before the key: a dialog that opens before the browser is told to hand it over is never seen.
+    const choosing = page.waitForEvent("filechooser");
     await page.getByLabel("A new application").focus();
     await page.keyboard.press("Tab");
     await page.keyboard.press("Tab");
     expect(await focused()).toBe("Install a bundle…");
-    const choosing = page.waitForEvent("filechooser");
     await page.keyboard.press("Enter");
     await (await choosing).setFiles([flipping, wrong]);
     await row("flipping.json").getByText("“flipping” is installed. 1 service is not here as it needs it:").waitFor();
