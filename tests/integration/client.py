@@ -163,6 +163,20 @@ class Server:
             assert time.monotonic() < end, "it does not come to that"
             time.sleep(0.05)
 
+    def audited(self, action, limit=50):
+        """The last rows of the audit log, the last first, once the last is of that action.
+
+        A row is written a moment after what it is of is answered.
+        """
+        rows = []
+
+        def is_written():
+            rows[:] = self.get(f"/audit?limit={limit}", "audit")["entries"]
+            return rows and action in rows[0]["action"]
+
+        self.wait_for(is_written)
+        return rows
+
     def stream(self):
         return Stream(self.port, token=self.token)
 

@@ -182,8 +182,7 @@ class Pairing(PairingCase):
         self.pair(code)
         self.pair(code, 401)
         self.server.put("/documents/last", models.ticking("last"), "document_entry")
-        self.server.wait_for(lambda: self.server.get("/audit?limit=1", "audit")["entries"][0]["action"].startswith("PUT"))
-        entries = self.server.get("/audit", "audit")["entries"]
+        entries = self.server.audited("PUT")
         self.assertEqual([(e.get("account", ""), e["action"], e["outcome"]) for e in entries[1:4]],
                          [("", "POST /api/v1/pair", "401"), ("developer", "POST /api/v1/pair", "200"),
                           ("developer", "POST /api/v1/pairings", "201")])

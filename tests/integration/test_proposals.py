@@ -311,9 +311,7 @@ class Rights(unittest.TestCase):
     def test_the_audit_log_says_who_proposed_and_who_decided(self):
         made = self.propose("operator")[1]["id"]
         self.ask("developer", "POST", f"/proposals/{made}/accept")
-        # A row is written a moment after what it is of is answered.
-        self.server.wait_for(lambda: "accept" in self.server.get("/audit?limit=1", "audit")["entries"][0]["action"])
-        rows = self.server.get("/audit?limit=3", "audit")["entries"]
+        rows = self.server.audited("accept")
         self.assertEqual([(row["account"], row["action"], row["outcome"]) for row in rows[:2]],
                          [("developer", f"POST /api/v1/proposals/{made}/accept", "200"),
                           ("operator", "POST /api/v1/documents/task/proposals", "201")])

@@ -196,13 +196,11 @@ class Rights(unittest.TestCase):
         with AccountServer("--demo", DEMO) as server:
             call = ("POST", "/api/v1/services/db/calls", {"operation": "add", "args": ["x", 1]})
             self.assertEqual([server.ask(account, *call) for account in (None, "observer", "operator")], [401, 403, 200])
-            server.wait_for(lambda: server.get("/audit?limit=1", "audit")["entries"])
-            entry, = server.get("/audit?limit=1", "audit")["entries"]
+            entry, = server.audited("service call", limit=1)
             self.assertEqual((entry["account"], entry["action"], entry["outcome"]), ("operator", "service call db.add", "accepted"))
             self.assertEqual(server.ask("operator", "POST", "/api/v1/services/db/calls", {"operation": "get", "args": ["x"]}), 200)
             self.assertEqual(server.ask("operator", "POST", "/api/v1/services/db/calls", {"operation": "remove", "args": ["x"]}), 200)
-            server.wait_for(lambda: server.get("/audit?limit=1", "audit")["entries"][0]["action"] == "service call db.remove")
-            self.assertEqual(server.get("/audit?limit=2", "audit")["entries"][1], entry, "what only reads has no row")
+            self.assertEqual(server.audited("service call db.remove", limit=2)[1], entry, "what only reads has no row")
 
 
 if __name__ == "__main__":
