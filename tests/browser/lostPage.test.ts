@@ -32,11 +32,13 @@ describe("a person who is lost with the page that moves the arm", () => {
     fixture = await openFixture();
     robot = await watchRobot(fixture);
     network = await openNetwork(fixture.url);
-    // What draws it may keep a page without a GPU from its signs of life; the pages that follow have it closed.
-    await open("pro");
-    await tab.until(`document.querySelector('[aria-label="Close the cell view"]')`);
-    await tab.evaluate(`document.querySelector('[aria-label="Close the cell view"]').click()`);
-    await tab.close();
+    // What draws it may keep a page without a GPU from its signs of life; the pages that follow have it closed, at both addresses.
+    for (const url of [fixture.url, network.url]) {
+      await open("pro", url);
+      await tab.until(`document.querySelector('[aria-label="Close the cell view"]')`);
+      await tab.evaluate(`document.querySelector('[aria-label="Close the cell view"]').click()`);
+      await tab.close();
+    }
   });
   afterAll(async () => {
     network.close();
