@@ -163,7 +163,7 @@ class Server:
             assert time.monotonic() < end, "it does not come to that"
             time.sleep(0.05)
 
-    def audited(self, action, limit=50):
+    def audited(self, action, limit=1000):
         """The last rows of the audit log, the last first, once the last is of that action.
 
         A row is written a moment after what it is of is answered.

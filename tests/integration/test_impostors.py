@@ -68,8 +68,9 @@ class Impostors(unittest.TestCase):
             server.core(models.calling("db", "list"))
             self.assertEqual(first.next("call")["operation"], "list")
             self.assertEqual(len(self.refusals(server)), 3)
-            entries = server.get("/audit?limit=50", "audit")["entries"]
-            self.assertEqual(len([e for e in entries if (e["action"], e["outcome"]) == ("process db", "conflict")]), 3)
+            rows = lambda: [(e["action"], e["outcome"]) for e in server.get("/audit", "audit")["entries"]]
+            server.wait_for(lambda: rows().count(("process db", "conflict")) >= 3)
+            self.assertEqual(rows().count(("process db", "conflict")), 3)
 
     def test_a_real_process_that_is_refused_ends_with_the_reason(self):
         with AccountServer("--remote", "database", *LONG_HEARTBEAT) as server, ComponentProcess(server, "database") as first:

@@ -228,7 +228,7 @@ class Persons(QueueCase):
             self.server.put("/accounts/developer", {"role": "operator"}, "account")  # who still may, and is another
             self.resume()
             self.assertEqual(self.until("3", *ENDED)["errors"][0]["code"], "rights")
-            rows = [(row["account"], row["action"], row["outcome"]) for row in self.server.get("/audit", "audit")["entries"]]
+            rows = [(row["account"], row["action"], row["outcome"]) for row in self.server.audited("queue start 3")]
             self.assertIn(("operator", "queue start 2", "rights"), rows)
 
 

@@ -104,7 +104,7 @@ class Rights(TaskCase):
             made = self.over(self.begin("POST", "/backups"))
             self.assertEqual(self.server.ask("admin", "GET", f"/api/v1/tasks/{made['id']}"), 200)
             self.assertEqual(self.server.ask("developer", "GET", f"/api/v1/tasks/{made['id']}"), 404)
-            rows = [(row["action"], row["outcome"]) for row in self.server.get("/audit", "audit")["entries"]]
+            rows = [(row["action"], row["outcome"]) for row in self.server.audited("task ")]
             self.assertIn(("POST /api/v1/backups", "202"), rows)
             self.assertIn((f"task {made['id']}", "201"), rows)
 
