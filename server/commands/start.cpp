@@ -58,7 +58,6 @@ tl::expected<Value, int> start(const ServerOptions& server, const std::string& i
 
 // Until the run is over, waits for a person or is paused. Gives the exit code.
 int wait_for_end(const ServerOptions& server, const std::string& id) {
-  end_on_signal(kExitFindings, "core " + id + " goes on; `race stop " + id + "` ends it\n");
   for (;; std::this_thread::sleep_for(kPollPause)) {
     const auto answer = request_server(server, "GET", core_path(id));
     if (!answer) return say_may_run(id, answer.error());
@@ -82,6 +81,8 @@ int start(const StartOptions& options) {
   if (id.empty()) return refuse(Error{ErrorCode::io, "answers what is no core", server.url}, server.json);
   const auto core = start(server, id);
   if (!core) return core.error();
+  // Who reads the number may already press Ctrl-C.
+  if (options.wait) end_on_signal(kExitFindings, "core " + id + " goes on; `race stop " + id + "` ends it\n");
   if (!server.json) std::printf("%s\n", id.c_str());
   if (options.wait) return wait_for_end(server, id);
   if (server.json) std::printf("%s\n", to_json(*core, 1).c_str());

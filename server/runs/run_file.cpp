@@ -68,7 +68,7 @@ std::pair<RunRecord, std::string> read_record(const Value& json, Errors& errors)
   const std::string chain = fields.text("chain", kRequired).value_or("");
   run.created_ms = read_count(fields, "created");
   run.ended_ms = read_count(fields, "ended", Fields::Need::optional);
-  fields.boolean("imported");
+  if (fields.find("imported", kRequired)) fields.boolean("imported");
   read_count(fields, "bytes");
   fields.close();
   return {std::move(run), chain};

@@ -138,6 +138,7 @@ TEST(RunFiles, HoldTheRecordAgainstTheJournal) {
                                                          {"run/steps", -1, Code::out_of_range},
                                                          {"run/created", 1.5, Code::out_of_range},
                                                          {"run/chain", Value::unknown(), Code::missing},
+                                                         {"run/imported", Value::unknown(), Code::missing},
                                                          {"run/color", 1, Code::unknown_field},
                                                          {"version", 2, Code::version},
                                                          {"journal", Value::unknown(), Code::missing},
