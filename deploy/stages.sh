@@ -61,16 +61,22 @@ stage() {
 passed() { grep -q "^$1 .* ok$" "$ended"; }
 
 # beside FUNCTION: runs its stages beside those that follow, on what these leave of the processors, until
-# wait_beside. They end with the script: their processes are a group.
+# wait_beside. They end with the script: they are a session of their own, and so the last of the kernel's groups of
+# processes (sched(7), autogroup), as the idle class counts within a group alone, and a browser has its own.
 beside() {
-  set -m
-  {
-    chrt --idle --pid 0 "$BASHPID" 2>/dev/null || renice --priority 19 "$BASHPID" >/dev/null
-    "$1"
-  } &
-  set +m
+  local shell
+  # shellcheck disable=SC2154  # what its caller has
+  shell="set -uo pipefail; SECONDS=$SECONDS; $(declare -p out ended second_tries findings reports quick only runner)
+    $(declare -f)
+    yield_processors
+    $1"
+  setsid bash -c "$shell" &
   # shellcheck disable=SC2064  # the process of now
   trap "kill -- -$! 2>/dev/null" EXIT
+}
+yield_processors() {
+  { echo 19 >/proc/self/autogroup; } 2>/dev/null
+  chrt --idle --pid 0 $$ 2>/dev/null || renice --priority 19 $$ >/dev/null
 }
 wait_beside() {
   wait

@@ -20,7 +20,7 @@ const tests = {
   testTimeout: 240_000,
   hookTimeout: 120_000,
   // What is waited for comes at once, unless the machine has much to do.
-  expect: { poll: { timeout: 30_000 } },
+  expect: { poll: { timeout: 60_000 } },
 };
 // Vitest runs what has one process for all its files after the others.
 const projects: TestProjectConfiguration[] = [

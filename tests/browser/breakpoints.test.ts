@@ -1,10 +1,11 @@
 // Each kind of breakpoint stops the run where it says, and steps by states end where they should; on the real server, with tasks that move nothing.
 import { openFixture, settled, type Fixture } from "./fixture";
+import { kPatience, kSoon } from "./patience";
 
 let fixture: Fixture;
 beforeAll(async () => {
   fixture = await openFixture();
-  fixture.page.setDefaultTimeout(20_000);
+  fixture.page.setDefaultTimeout(kPatience);
   await fixture.send("PUT", "/documents/kinds", kinds);
   await fixture.send("PUT", "/documents/ways", ways);
 });
@@ -14,7 +15,7 @@ afterEach(async () => {
   while ((await rows().count()) > 0) await rows().first().getByRole("button", { name: /^Remove/ }).click();
 });
 
-const soon = (value: () => unknown) => expect.poll(value, { timeout: 20_000 });
+const soon = (value: () => unknown) => expect.poll(value, kSoon);
 const press = (key: string) => fixture.page.keyboard.press(key);
 const never = { name: "never", when: "False" };
 

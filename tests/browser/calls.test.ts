@@ -1,15 +1,15 @@
 // The calls and events of a run: what was called, what came, what was forced, each a way to its micro step.
 import { findings } from "./axe";
 import { openFixture, settled, type Fixture } from "./fixture";
+import { kPatience, kSoon } from "./patience";
 
 let fixture: Fixture;
 beforeAll(async () => {
   fixture = await openFixture();
-  fixture.page.setDefaultTimeout(20_000);
+  fixture.page.setDefaultTimeout(kPatience);
 });
 afterAll(() => fixture.close());
 
-const kSoon = { timeout: 20_000 };
 const list = () => fixture.page.getByRole("region", { name: "Calls and events" });
 const entries = async () => (await list().getByRole("listitem").allInnerTexts()).map((text) => text.replace(/\s+/g, " "));
 

@@ -2,13 +2,14 @@
 // robot feels a hand: tests/integration/test_person.py.
 import { find, view, type Region } from "./pointer";
 import { openFixture, type Fixture } from "./fixture";
+import { kSoon } from "./patience";
 
 let fixture: Fixture;
 
 beforeAll(async () => {
   fixture = await openFixture();
   await fixture.page.goto(`${fixture.url}/pro/`);
-  await view(fixture.page).waitFor({ timeout: 45_000 });
+  await view(fixture.page).waitFor(kSoon);
 });
 afterAll(() => fixture.close());
 
@@ -20,7 +21,6 @@ interface Touch {
 const person = async () =>
   (await (await fetch(`${fixture.url}/api/v1/cell/person`)).json()) as { readonly hands: readonly Touch[]; readonly absent: readonly string[] };
 
-const kSoon = { timeout: 20_000 };
 const kArm: Region = [0.4, 0.62, 0.3, 0.5];
 const kTable: Region = [0.42, 0.68, 0.56, 0.78];
 

@@ -6,6 +6,7 @@ import { readStreamMessage } from "../../web/shared/messages/stream";
 import type { Body } from "../../web/generated/messages";
 import { openFixture, type Fixture } from "./fixture";
 import { find, view } from "./pointer";
+import { kSoon } from "./patience";
 
 let fixture: Fixture;
 /** The last cloud whose packet came to the page. */
@@ -23,11 +24,10 @@ beforeAll(async () => {
   fixture.page.on("websocket", watch);
   await fixture.page.goto(`${fixture.url}/pro/`);
   await fixture.page.getByRole("tab", { name: "Cell" }).click();
-  await view(fixture.page).waitFor({ timeout: 45_000 });
+  await view(fixture.page).waitFor(kSoon);
 });
 afterAll(() => fixture.close());
 
-const kSoon = { timeout: 30_000 };
 const tool = (name: string) => fixture.page.getByRole("button", { name });
 const words = () => fixture.page.locator(".cell-collision");
 

@@ -1,6 +1,7 @@
 // What comes on a page by itself while the robot is moved by hand, and goes again: the robot is slower, somebody asks for the controls.
 import type { Locator, Page } from "playwright-core";
 import type { Fixture } from "./fixture";
+import { kPatience } from "./patience";
 
 export interface Coming {
   readonly what: string;
@@ -61,7 +62,7 @@ export function secondFinger(page: Page, held: Locator): Coming {
 /** Of a person at another page, who asks no more then. */
 export async function otherPerson(fixture: Fixture, page: Page): Promise<Coming> {
   const other = await fixture.openPage({ width: 1366, height: 768 });
-  other.setDefaultTimeout(20_000);
+  other.setDefaultTimeout(kPatience);
   await other.goto(`${fixture.url}/pro/?below=manual`);
   const panel = other.getByRole("region", { name: "Manual control" });
   const request = page.getByRole("group", { name: "Request for the controls" });

@@ -4,6 +4,7 @@ import { largeDocument } from "../bench/pages/large_document.mjs";
 import { findings } from "./axe";
 import { kTask } from "./editPage";
 import { openFixture, settled, type Fixture } from "./fixture";
+import { kPatience } from "./patience";
 
 let fixture: Fixture;
 let ada: Page;
@@ -11,7 +12,7 @@ let bob: Page;
 
 async function enter(name: string, as: string): Promise<Page> {
   const page = await fixture.openPage({ width: 1366, height: 768 });
-  page.setDefaultTimeout(20_000);
+  page.setDefaultTimeout(kPatience);
   await page.addInitScript((own) => localStorage.setItem("race.name", own), as);
   await page.goto(`${fixture.url}/pro/?edit=${name}`);
   await settled(page);

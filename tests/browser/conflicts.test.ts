@@ -4,6 +4,7 @@ import type { Page } from "playwright-core";
 import { findings } from "./axe";
 import { write } from "./editPage";
 import { openFixture, settled, type Fixture } from "./fixture";
+import { kPatience } from "./patience";
 
 let fixture: Fixture;
 let ada: Page;
@@ -25,7 +26,7 @@ const task = {
 
 async function enter(as: string): Promise<Page> {
   const page = await fixture.openPage({ width: 1366, height: 768 });
-  page.setDefaultTimeout(20_000);
+  page.setDefaultTimeout(kPatience);
   await page.addInitScript((own) => localStorage.setItem("race.name", own), as);
   return page;
 }

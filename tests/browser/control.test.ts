@@ -6,8 +6,8 @@ import { expectStill, otherPerson, secondFinger, slowRobot } from "./comes";
 import { tap } from "./fingers";
 import { openFixture, settled, type Fixture } from "./fixture";
 import { holding } from "./prepare";
+import { kPatience, kSoon } from "./patience";
 
-const kSoon = { timeout: 20_000 };
 /** Of what a page does that may lose the controls meanwhile. */
 const kHeld = { timeout: 8000 };
 
@@ -37,7 +37,7 @@ describe("the controls of the cell", () => {
   beforeAll(async () => {
     fixture = await openFixture();
     ({ page } = fixture);
-    page.setDefaultTimeout(20_000);
+    page.setDefaultTimeout(kPatience);
     arm = watchArm(fixture.url);
     await fixture.send("PUT", "/documents/toAndFro", toAndFro);
     await page.setViewportSize({ width: 1366, height: 768 });
@@ -82,7 +82,7 @@ describe("the controls of the cell", () => {
   }
   async function openSecond(): Promise<Page> {
     const second = await (await fixture.openContext({ viewport: { width: 1366, height: 768 } })).newPage();
-    second.setDefaultTimeout(20_000);
+    second.setDefaultTimeout(kPatience);
     await open(second);
     return second;
   }
@@ -217,7 +217,7 @@ describe("the controls of the cell", () => {
 
   it("are asked about on a display, too, and may be taken there", async () => {
     const phone = await (await fixture.openContext({ ...devices["Pixel 7"] })).newPage();
-    phone.setDefaultTimeout(20_000);
+    phone.setDefaultTimeout(kPatience);
     await phone.goto(`${fixture.url}/display/?name=phone`);
     await bar(phone).getByText("Execution mode").waitFor();
     await fixture.screenshot("control-display", phone);
@@ -383,7 +383,7 @@ describe("the controls of the cell", () => {
 
   it("call for a motion while a button is held, end it at once when it is not, and call no more", async () => {
     const other = await (await fixture.openContext({ viewport: { width: 1366, height: 768 } })).newPage();
-    other.setDefaultTimeout(20_000);
+    other.setDefaultTimeout(kPatience);
     const calls: { readonly operation: string; readonly kwargs: Readonly<Record<string, unknown>> }[] = [];
     await other.routeWebSocket(/\/api\/v1\/control\/hold/, (socket) => {
       const server = socket.connectToServer();

@@ -3,18 +3,18 @@ import { findings } from "./axe";
 import { editPage } from "./editPage";
 import { openFixture, settled, type Fixture } from "./fixture";
 import { letMove } from "./hands";
+import { kPatience, kSoon } from "./patience";
 
 let fixture: Fixture;
 beforeAll(async () => {
   fixture = await openFixture();
-  fixture.page.setDefaultTimeout(20_000);
+  fixture.page.setDefaultTimeout(kPatience);
   await fixture.page.setViewportSize({ width: 1366, height: 768 });
   // Of a condition that is wrong.
   fixture.allowError(/ 422 .*\/breakpoints/);
 });
 afterAll(() => fixture.close());
 
-const kSoon = { timeout: 20_000 };
 const soon = (value: () => unknown) => expect.poll(value, kSoon);
 
 interface CoreJson {

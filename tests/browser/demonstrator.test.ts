@@ -4,6 +4,7 @@ import { devices, type Page } from "playwright-core";
 import { activations, noteActivations } from "./activations";
 import { demo, openFixture, settled, type Fixture } from "./fixture";
 import { letMove } from "./hands";
+import { kSoon } from "./patience";
 
 let fixture: Fixture;
 let task: Page;
@@ -46,7 +47,7 @@ const shownStep = async () => Number(/step (\d+)/.exec(await task.getByRole("sta
 /** Waits until the page shows the current state of the server. */
 async function keepsUp(): Promise<void> {
   const step = await serverStep();
-  await expect.poll(shownStep, { timeout: 20_000 }).toBeGreaterThanOrEqual(step);
+  await expect.poll(shownStep, kSoon).toBeGreaterThanOrEqual(step);
 }
 
 describe("the demonstrator with an operator by script", () => {
@@ -102,6 +103,6 @@ describe("the demonstrator with an operator by script", () => {
 
   it("ends on demand, without an error on any page", async () => {
     await task.getByRole("button", { name: "Stop", exact: true }).click();
-    await expect.poll(() => task.getByRole("status", { name: "Run status" }).innerText(), { timeout: 20_000 }).toMatch(/Stopped/);
+    await expect.poll(() => task.getByRole("status", { name: "Run status" }).innerText(), kSoon).toMatch(/Stopped/);
   });
 });

@@ -2,6 +2,7 @@
 import { devices, type Page } from "playwright-core";
 import { tap } from "./fingers";
 import { openFixture, type Fixture } from "./fixture";
+import { kSoon } from "./patience";
 
 let fixture: Fixture;
 
@@ -58,7 +59,7 @@ const listen = (): Promise<string> =>
 /** What the task found, once it has ended. */
 async function outcome(core: string): Promise<unknown> {
   let found: Json = {};
-  await expect.poll(async () => (found = await request("GET", `/cores/${core}`))["status"], { timeout: 20_000 }).toBe("ended");
+  await expect.poll(async () => (found = await request("GET", `/cores/${core}`))["status"], kSoon).toBe("ended");
   const results = found["results"] as Json;
   return results["answer"] ?? results["code"];
 }

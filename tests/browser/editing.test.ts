@@ -10,6 +10,7 @@ import { openCrowd } from "./crowd";
 import { hashOf } from "./crowdClient";
 import { openFixture, type Fixture } from "./fixture";
 import { NodeSocket } from "./nodeSocket";
+import { kSoon } from "./patience";
 
 const kClients = 8;
 const kTimeout = 3_600_000;
@@ -87,9 +88,9 @@ it("numbers stay as they were written and typed", async () => {
   });
   const editor = openEditor(stream, "connecting", "exact", "Ann", { onSession: () => undefined, onNotice: () => undefined }, randomUUID);
   later.editor = editor;
-  await expect.poll(() => editor.session().view, { timeout: 30_000 }).toBeDefined();
+  await expect.poll(() => editor.session().view, kSoon).toBeDefined();
   editor.edit({ operations: [{ op: "set", id: "typed", field: "value", value: readExact("2.0") }] });
-  await expect.poll(() => editor.session().confirmed?.revision, { timeout: 30_000 }).toBe(2);
+  await expect.poll(() => editor.session().confirmed?.revision, kSoon).toBe(2);
   const exact = await (await fetch(`${fixture.url}/api/v1/documents/exact`)).text();
   expect(exact).toMatch(/"value": ?1\.0/);
   expect(exact).toMatch(/"value": ?2\.0/);

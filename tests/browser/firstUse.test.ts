@@ -5,6 +5,7 @@ import { fingerOn, type Finger } from "./fingers";
 import { openFixture, type Fixture } from "./fixture";
 import { NodeSocket } from "./nodeSocket";
 import { prepareToMove, returnToExecution } from "./prepare";
+import { kPatience } from "./patience";
 
 /** Taps, drags and holds. */
 const kMostTouches = 60;
@@ -51,7 +52,7 @@ describe.each(kScreens)("the first use on a %s", (screen, device) => {
     fixture = await openFixture();
     cell = watchBodies(fixture.url);
     page = await (await fixture.openContext(device)).newPage();
-    page.setDefaultTimeout(20_000);
+    page.setDefaultTimeout(kPatience);
     finger = await fingerOn(page);
   });
   afterAll(async () => {

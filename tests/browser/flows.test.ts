@@ -1,5 +1,6 @@
 // Data flows on the expert page, on the real server: publishers, subscribers, and the camera's picture while it is watched.
 import { openFixture, type Fixture } from "./fixture";
+import { kSoon } from "./patience";
 
 let fixture: Fixture;
 
@@ -12,7 +13,6 @@ beforeAll(async () => {
 });
 afterAll(() => fixture.close());
 
-const kSoon = { timeout: 20_000 };
 const edge = () => fixture.page.locator('[data-flow="camera.frame:obj_rec"]');
 const opener = (flow = "frame") => fixture.page.getByRole("button", { name: `Watch camera.${flow}` });
 const panel = (flow = "frame") => fixture.page.getByRole("region", { name: `Packets of camera.${flow}` });

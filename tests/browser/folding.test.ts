@@ -1,6 +1,7 @@
 // What is collapsed in a task stays so in its next run, also when the document was edited in between.
 import { openFixture, type Fixture } from "./fixture";
 import { letMove } from "./hands";
+import { kSoon } from "./patience";
 
 let fixture: Fixture;
 
@@ -18,7 +19,6 @@ const store = (...children: readonly object[]) =>
   send("PUT", "/documents/folding", { rcm: 1, name: "folding", root: { state: "Root", first: "Rest", children, ports: [{ name: "done", when: "True" }], meta: { id: "root" } } });
 
 const tree = () => fixture.page.getByRole("tree", { name: "State tree" });
-const kSoon = { timeout: 20_000 };
 
 /** Path -> whether it is expanded, of the composites in the tree. */
 async function expanded(): Promise<Record<string, string | null>> {

@@ -4,6 +4,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { write } from "./editPage";
 import { demo, openFixture, settled, type Fixture } from "./fixture";
+import { kPatience, kSoon } from "./patience";
 
 interface Json {
   readonly [key: string]: unknown;
@@ -14,7 +15,7 @@ interface Json {
 let fixture: Fixture;
 beforeAll(async () => {
   fixture = await openFixture();
-  fixture.page.setDefaultTimeout(20_000);
+  fixture.page.setDefaultTimeout(kPatience);
 });
 afterAll(() => fixture.close());
 
@@ -27,7 +28,7 @@ async function stateIn(name: string, state: string): Promise<Json | undefined> {
   return without(find(await rootOf(name)));
 }
 const without = (json: Json | undefined): Json | undefined => json && (JSON.parse(JSON.stringify(json, (key, value: unknown) => (key === "meta" ? undefined : value))) as Json);
-const within = (state: () => Promise<unknown>) => expect.poll(state, { timeout: 30_000 });
+const within = (state: () => Promise<unknown>) => expect.poll(state, kSoon);
 
 const form = (page: Page): Locator => page.getByRole("complementary", { name: "Properties" });
 const list = (page: Page, name: string | RegExp): Locator => page.getByRole("region", { name });
@@ -105,7 +106,7 @@ describe("the form of a state", () => {
     const { revision, document } = (await fixture.send("GET", "/documents/late")) as { readonly revision: number; readonly document: { readonly root: Json } };
     const parameter = (document.root.children?.[0]?.["parameters"] as { readonly meta: { readonly id: string } }[])[0]?.meta.id;
     await fixture.send("POST", "/documents/late/edits", { revision, author: "Ann", operations: [{ op: "set", id: parameter, field: "doc", value: "how far" }] });
-    await expect.poll(() => value.getAttribute("readonly"), { timeout: 20_000 }).not.toBeNull();
+    await expect.poll(() => value.getAttribute("readonly"), kSoon).not.toBeNull();
     await value.press("Enter");
     await form(page).getByText("no constant of JSON").waitFor();
     await page.unroute(asked);
@@ -260,7 +261,7 @@ describe("a draft", () => {
     expect((await stateIn("drafts", "A"))?.["entry"]).toBe("pass");
 
     const other = await openPage();
-    other.setDefaultTimeout(20_000);
+    other.setDefaultTimeout(kPatience);
     await edit("drafts", other);
     await select(other, "A");
     const theirs = form(other).getByRole("textbox", { name: "Entry" });

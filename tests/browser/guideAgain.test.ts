@@ -2,6 +2,7 @@
 import type { Page } from "playwright-core";
 import { findings } from "./axe";
 import { openFixture, type Fixture } from "./fixture";
+import { kPatience } from "./patience";
 
 let fixture: Fixture;
 let page: Page;
@@ -9,7 +10,7 @@ let page: Page;
 beforeAll(async () => {
   fixture = await openFixture();
   ({ page } = fixture);
-  page.setDefaultTimeout(30_000);
+  page.setDefaultTimeout(kPatience);
   fixture.allowError(/Failed to load resource/);
 });
 afterAll(() => fixture.close());

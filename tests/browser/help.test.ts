@@ -2,16 +2,17 @@
 import { findings } from "./axe";
 import { editPage, write } from "./editPage";
 import { openFixture, settled, type Fixture } from "./fixture";
+import { kPatience, kSoon } from "./patience";
 
 let fixture: Fixture;
 beforeAll(async () => {
   fixture = await openFixture();
-  fixture.page.setDefaultTimeout(20_000);
+  fixture.page.setDefaultTimeout(kPatience);
   await fixture.page.setViewportSize({ width: 1366, height: 768 });
 });
 afterAll(() => fixture.close());
 
-const soon = (value: () => unknown) => expect.poll(value, { timeout: 20_000 });
+const soon = (value: () => unknown) => expect.poll(value, kSoon);
 const help = () => fixture.page.getByRole("dialog", { name: "Help" });
 const article = (title: string) => help().getByRole("article", { name: title });
 const query = (key: string) => new URL(fixture.page.url()).searchParams.get(key);

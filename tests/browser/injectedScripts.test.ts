@@ -8,8 +8,8 @@ import { callingTask, describedTask, faultingTask, groups, hostileDraft, hostile
 import { NodeSocket } from "./nodeSocket";
 import { kClobbered, payloads, payloadsByClass } from "./scriptPayloads";
 import { shownOf, watchScripts, type ScriptWatch } from "./scriptWatch";
+import { kPatience, kSoon } from "./patience";
 
-const kSoon = { timeout: 20_000 };
 /** What a page shows of some texts is cut, or begins with what is no letter: so many need not be found again. */
 const kNearlyAll = payloads.length - 12;
 
@@ -24,7 +24,7 @@ beforeAll(async () => {
   context = await fixture.openContext({ viewport: { width: 1600, height: 1000 }, bypassCSP: true, permissions: ["clipboard-read", "clipboard-write"] });
   watch = await watchScripts(context, fixture.url);
   page = await context.newPage();
-  page.setDefaultTimeout(20_000);
+  page.setDefaultTimeout(kPatience);
   await send("PUT", "/documents/hostile", hostileTask(groups.flat().map((text) => `print(${literal(text)})`).join("\n"), 3600));
   for (let i = 0; i < payloads.length; i += 4) await send("PUT", `/documents/described${i}`, describedTask(payloads.slice(i, i + 4).join(" | ")));
   await send("PUT", "/documents/draft?draft=true", hostileDraft);
@@ -431,7 +431,7 @@ describe("services", () => {
 
   it("have a display show texts, questions, buttons, units and images, and the expert page tells of them", async () => {
     const display = await context.newPage();
-    display.setDefaultTimeout(20_000);
+    display.setDefaultTimeout(kPatience);
     await display.goto(`${fixture.url}/display/?name=phone`);
     await display.getByRole("status", { name: "Connection" }).filter({ hasText: "Connected" }).waitFor();
     const found = new Set<string>();
@@ -476,6 +476,7 @@ describe("an address", () => {
     for (const text of [payloads[0] ?? "", "javascript:alert(1)", ...(payloadsByClass["polyglots"]?.slice(0, 2) ?? [])])
       for (const path of ["/pro/", "/display/", "/trust/", "/"]) {
         await page.goto(`${fixture.url}${path}?${everywhere(text)}#${encodeURIComponent(text)}`);
+        if (path === "/") await page.waitForURL("**/pro/");
         await rest();
         await page.evaluate((hash) => void (location.hash = hash), text);
       }
@@ -513,7 +514,7 @@ describe("a server with accounts", () => {
     const own = await closed.openContext({ bypassCSP: true });
     const { found } = await watchScripts(own, closed.url);
     const cover = await own.newPage();
-    cover.setDefaultTimeout(20_000);
+    cover.setDefaultTimeout(kPatience);
     const logIn = async (name: string, password: string) => {
       await cover.getByLabel("Name", { exact: true }).fill(name);
       await cover.getByLabel("Password", { exact: true }).fill(password);
@@ -550,7 +551,7 @@ describe("with the policy that browsers enforce", () => {
     const guarded = await fixture.openContext({ viewport: { width: 1366, height: 768 } });
     const { found } = await watchScripts(guarded, fixture.url);
     const strict = await guarded.newPage();
-    strict.setDefaultTimeout(20_000);
+    strict.setDefaultTimeout(kPatience);
     await send("PUT", "/documents/guarded", hostileTask("pass", 3600));
     const { id } = await send("POST", "/cores", { document: "guarded" });
     for (const address of ["/pro/", "/pro/?edit=guarded", "/pro/?edit=draft", `/pro/?run=${id}`, "/display/?name=phone", "/trust/"]) {

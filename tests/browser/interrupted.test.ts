@@ -2,6 +2,7 @@
 import { spawn, type ChildProcess } from "node:child_process";
 import { devices, type Page } from "playwright-core";
 import { openFixture, settled, type Fixture } from "./fixture";
+import { kSoon } from "./patience";
 
 let fixture: Fixture;
 let page: Page;
@@ -41,7 +42,6 @@ const beating = {
   ports: [{ name: "never", when: "False" }],
 };
 
-const kSoon = { timeout: 20_000 };
 const notice = (of: Page) => of.getByRole("alert", { name: "Interruption" });
 const status = (of: Page) => of.getByRole("status", { name: "Run status" }).locator("strong").innerText();
 const enabled = () => page.getByRole("toolbar", { name: "Run" }).locator("button.run-button:enabled").allInnerTexts();

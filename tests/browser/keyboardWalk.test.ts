@@ -1,6 +1,7 @@
 // From the list of documents to the end of a run without a mouse. After each key that opens, closes or does something, the focus is somewhere, and seen.
 import { openFixture, settled, type Fixture } from "./fixture";
 import { heard, keyboard } from "./hands";
+import { kPatience } from "./patience";
 
 let fixture: Fixture;
 const kLift = {
@@ -14,7 +15,7 @@ const kLift = {
 };
 beforeAll(async () => {
   fixture = await openFixture();
-  fixture.page.setDefaultTimeout(20_000);
+  fixture.page.setDefaultTimeout(kPatience);
   await fixture.page.setViewportSize({ width: 1366, height: 768 });
   await fixture.send("PUT", "/documents/lift", kLift);
   await fixture.page.goto(`${fixture.url}/pro/`);

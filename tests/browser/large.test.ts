@@ -3,6 +3,7 @@ import type { Page } from "playwright-core";
 import { bundleSize } from "../bench/pages/bundle";
 import { largeDocument } from "../bench/pages/large_document.mjs";
 import { openFixture, settled, web, type Fixture } from "./fixture";
+import { kPatience } from "./patience";
 
 let fixture: Fixture;
 let page: Page;
@@ -82,7 +83,7 @@ async function settledBox(name: string) {
     before = now;
     return now !== "null" && now === last;
   };
-  await expect.poll(rests, { interval: 400, timeout: 30_000 }).toBe(true);
+  await expect.poll(rests, { interval: 400, timeout: kPatience }).toBe(true);
   const box = await element.boundingBox();
   if (box === null) throw new Error(`${name} is not there`);
   return box;

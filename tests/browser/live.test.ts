@@ -3,18 +3,18 @@
 import { findings } from "./axe";
 import { editPage, write } from "./editPage";
 import { openFixture, settled, type Fixture } from "./fixture";
+import { kPatience, kSoon } from "./patience";
 
 let fixture: Fixture;
 beforeAll(async () => {
   fixture = await openFixture();
-  fixture.page.setDefaultTimeout(20_000);
+  fixture.page.setDefaultTimeout(kPatience);
   await fixture.page.setViewportSize({ width: 1366, height: 768 });
   // A port may be gone while its condition is asked for: it is not found.
   fixture.allowError(/ 404 .*\/why\?/);
 });
 afterAll(() => fixture.close());
 
-const kSoon = { timeout: 20_000 };
 const soon = (value: () => unknown) => expect.poll(value, kSoon);
 
 interface CoreJson {

@@ -3,9 +3,9 @@ import { execFileSync } from "node:child_process";
 import type { Page } from "playwright-core";
 import { findings } from "./axe";
 import { binary, openPrepared, settled, type Fixture } from "./fixture";
+import { kPatience, kSoon } from "./patience";
 
 const kPassword = "correct horse battery";
-const kSoon = { timeout: 20_000 };
 
 const account = (data: string, name: string, role: string) => execFileSync(binary, ["account", "add", name, "--role", role, "--data", data], { input: `${kPassword}\n` });
 
@@ -17,7 +17,7 @@ beforeAll(async () => {
     account(data, "olga", "observer");
     account(data, "otto", "operator");
   });
-  fixture.page.setDefaultTimeout(20_000);
+  fixture.page.setDefaultTimeout(kPatience);
 });
 afterAll(() => fixture.close());
 
@@ -40,7 +40,7 @@ async function sendAs(name: string, path: string, body?: unknown): Promise<unkno
 /** A browser of its own, logged in on this page. */
 async function openAs(name: string, path: string): Promise<Page> {
   const page = await (await fixture.openContext({ viewport: { width: 1366, height: 768 } })).newPage();
-  page.setDefaultTimeout(20_000);
+  page.setDefaultTimeout(kPatience);
   await page.goto(`${fixture.url}${path}`);
   await logIn(page, name);
   await cover(page).waitFor({ state: "detached" });
@@ -135,7 +135,7 @@ describe("several pages of one browser", () => {
   it("take over the login of one of them, and a change of the account", async () => {
     const first = await openAs("dev", "/pro/");
     const second = await first.context().newPage();
-    second.setDefaultTimeout(20_000);
+    second.setDefaultTimeout(kPatience);
     await second.goto(`${fixture.url}/pro/`);
     await second.getByRole("button", { name: "dev developer" }).waitFor();
     await second.getByText("Connected", { exact: true }).waitFor();

@@ -1,6 +1,7 @@
 // A macro step that is too long for one turn of its core: the server sends it in parts, the page shows it as one step.
 import { openFixture, type Fixture } from "./fixture";
 import { proofCount } from "./proofText";
+import { kSoon } from "./patience";
 
 let fixture: Fixture;
 
@@ -24,7 +25,6 @@ const model = {
   },
 };
 
-const kSoon = { timeout: 20_000 };
 
 describe("a macro step that comes in parts", () => {
   it("is one step of the derivation, with its micro steps numbered through", async () => {

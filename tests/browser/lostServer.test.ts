@@ -3,6 +3,7 @@ import type { Page } from "playwright-core";
 import { openFixture, type Fixture } from "./fixture";
 import { openNetwork, type Network } from "./network";
 import { holding } from "./prepare";
+import { kPatience } from "./patience";
 
 let fixture: Fixture;
 let network: Network;
@@ -28,7 +29,7 @@ const take = (page: Page) => page.getByRole("button", { name: "Take the controls
 
 async function open(name: keyof typeof kPages): Promise<Page> {
   const page = await (await fixture.openContext({ viewport: { width: 1366, height: 768 }, reducedMotion: "reduce" })).newPage();
-  page.setDefaultTimeout(20_000);
+  page.setDefaultTimeout(kPatience);
   await page.goto(`${network.url}${kPages[name]}`);
   await connection(page, /Connected/).waitFor();
   // What draws it may keep a page without a GPU from its signs of life.

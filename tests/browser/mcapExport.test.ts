@@ -6,6 +6,7 @@ import { product, rotated } from "../../web/shared/mcap/rotation";
 import { onTopic, readMcap, type ReadFile } from "../../web/tests/mcap/readBack";
 import { findings } from "./axe";
 import { openFixture, type Fixture } from "./fixture";
+import { kPatience, kSoon } from "./patience";
 
 let fixture: Fixture;
 let page: Page;
@@ -13,12 +14,12 @@ let page: Page;
 beforeAll(async () => {
   fixture = await openFixture();
   page = fixture.page;
-  page.setDefaultTimeout(20_000);
+  page.setDefaultTimeout(kPatience);
   await page.setViewportSize({ width: 1366, height: 768 });
 });
 afterAll(() => fixture.close());
 
-const soon = (value: () => unknown) => expect.poll(value, { timeout: 20_000 });
+const soon = (value: () => unknown) => expect.poll(value, kSoon);
 const get = async <T>(path: string): Promise<T> => (await fixture.send("GET", path)) as T;
 
 /** Makes a run and waits for its end, and until all that is recorded of it is stored. */

@@ -7,6 +7,7 @@ import { promisify } from "node:util";
 import type { Page } from "playwright-core";
 import { findings } from "./axe";
 import { binary, demo, openFixture, settled, textOf, type Fixture } from "./fixture";
+import { kPatience, kSoon } from "./patience";
 
 interface Places {
   readonly covered: number;
@@ -27,7 +28,7 @@ let folder: string;
 beforeAll(async () => {
   fixture = await openFixture();
   page = fixture.page;
-  page.setDefaultTimeout(20_000);
+  page.setDefaultTimeout(kPatience);
   await page.setViewportSize({ width: 1366, height: 768 });
   folder = mkdtempSync(join(tmpdir(), "race-model-tests-"));
   for (const name of readdirSync(demo)) if (!name.endsWith(".test.json")) copyFileSync(join(demo, name), join(folder, name));
@@ -37,7 +38,7 @@ afterAll(async () => {
   rmSync(folder, { recursive: true, force: true });
 });
 
-const soon = (value: () => unknown) => expect.poll(value, { timeout: 20_000 });
+const soon = (value: () => unknown) => expect.poll(value, kSoon);
 const panel = () => page.getByRole("region", { name: "Coverage", exact: true });
 const marks = (kind: string) => page.locator(`.coverage-mark.is-${kind}`).evaluateAll((all) => all.map((mark) => mark.getAttribute("data-coverage")).sort());
 const open = (name: string, text: string) => panel().locator("input[type=file]").setInputFiles({ name, mimeType: "application/json", buffer: Buffer.from(text) });

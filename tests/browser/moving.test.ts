@@ -1,15 +1,15 @@
 // Before something moves: what starts a run asks, and the cell is put back to how it was at the start.
 import { findings } from "./axe";
 import { openFixture, settled, type Fixture } from "./fixture";
+import { kPatience, kSoon } from "./patience";
 
 let fixture: Fixture;
 beforeAll(async () => {
   fixture = await openFixture();
-  fixture.page.setDefaultTimeout(20_000);
+  fixture.page.setDefaultTimeout(kPatience);
 });
 afterAll(() => fixture.close());
 
-const kSoon = { timeout: 20_000 };
 const status = () => fixture.page.getByRole("status", { name: "Run status" }).locator("strong").innerText();
 const question = () => fixture.page.getByRole("alertdialog", { name: "Before it moves" });
 const press = (key: string) => fixture.page.keyboard.press(key);

@@ -9,6 +9,7 @@ import { readExact, writeExact, type ExactJson } from "../../web/shared/edit/exa
 import { offered } from "./editPage";
 import { demo, openFixture, settled, type Fixture } from "./fixture";
 import { heard, keyboard, mouse } from "./hands";
+import { kPatience } from "./patience";
 
 const kName = "search";
 const known = readExact(readFileSync(join(demo, "demonstrator.rcm.json"), "utf8")) as ExactObject;
@@ -58,14 +59,14 @@ beforeAll(async () => {
   const { pose } = read("scene.json")["camera"] as { readonly pose: unknown };
   writeFileSync(join(cell, "database.json"), JSON.stringify({ ...read("database.json"), o_t_c: pose }));
   fixture = await openFixture("--demo", cell);
-  fixture.page.setDefaultTimeout(20_000);
+  fixture.page.setDefaultTimeout(kPatience);
   await fixture.page.goto(`${fixture.url}/pro/`);
 });
 afterAll(() => fixture.close());
 
 const kLong = { timeout: 60_000 };
 /** All that is typed takes its time on a busy machine [ms]. */
-const kPatience = 300_000;
+const kForAll = 300_000;
 /** The document as the server has it. */
 const stored = async (): Promise<ExactObject> => (readExact(await (await fetch(`${fixture.url}/api/v1/documents/${kName}`)).text()) as ExactObject)["document"] as ExactObject;
 const storedState = async (name: string): Promise<ExactJson | undefined> => {
@@ -104,7 +105,7 @@ describe("ObjectRecognition, built by hand", () => {
     await fill(hasCalibration);
     await expect.poll(() => storedState("HasCalibration"), kLong).toEqual(hasCalibration);
     await expect.poll(() => unsent()).toBe(0);
-  }, kPatience);
+  }, kForAll);
 
   it("goes on with a link and a state that are dragged into the drawing, and a line, by mouse", async () => {
     const { page } = fixture;
@@ -131,7 +132,7 @@ describe("ObjectRecognition, built by hand", () => {
     await expect.poll(async () => writeExact((await stored())["library"] ?? null)).toContain('"to":"DetectObject"');
     await fixture.screenshot("by-hand-mouse");
     await expect.poll(() => unsent()).toBe(0);
-  }, kPatience);
+  }, kForAll);
 
   it("goes on by keyboard alone: states, lines, and SaveObjectPose in the state editor", async () => {
     const { page } = fixture;
@@ -192,7 +193,7 @@ describe("ObjectRecognition, built by hand", () => {
     await rest({ actions: recognition["actions"] ?? [], ports: recognition["ports"] ?? [] });
     await expect.poll(() => storedState("ObjectRecognition"), kLong).toEqual(recognition);
     await expect.poll(() => unsent()).toBe(0);
-  }, kPatience);
+  }, kForAll);
 
   it("ends with the task around it, by keyboard alone", async () => {
     const { page } = fixture;
@@ -234,7 +235,7 @@ describe("ObjectRecognition, built by hand", () => {
     expect(await page.getByRole("region", { name: "Errors" }).count()).toBe(0);
     built = await stored();
     await fixture.screenshot("by-hand-built");
-  }, kPatience);
+  }, kForAll);
 
   it("runs in the cell to its end, as the demonstrator's does", async () => {
     const { page } = fixture;
@@ -253,7 +254,7 @@ describe("ObjectRecognition, built by hand", () => {
     expect([mine.ports, theirs.ports]).toEqual([["Search.success"], ["Root.success"]]);
     // Pictures are noisy.
     for (const i of [0, 1, 2]) expect(mine.results["Search"]?.pose?.position[i]).toBeCloseTo(theirs.results["Root"]?.pose?.position[i] ?? NaN, 2);
-  }, kPatience);
+  }, kForAll);
 
   /** Presses before it is looked whether there is more; those too many are refused. */
   const kAtOnce = 8;
@@ -276,7 +277,7 @@ describe("ObjectRecognition, built by hand", () => {
     await fixture.screenshot("by-hand-undone");
     await all("Redo", "Control+y");
     await expect.poll(() => stored()).toEqual(built);
-  }, kPatience);
+  }, kForAll);
 });
 
 interface Outcome {

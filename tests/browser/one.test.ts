@@ -9,6 +9,7 @@ import { tap } from "./fingers";
 import { dragTo } from "./hands";
 import { binary, demo, openFixture, openPrepared, project, settled, type Fixture } from "./fixture";
 import { prepareToMove, returnToExecution } from "./prepare";
+import { kPatience, kSoon } from "./patience";
 
 interface StateJson {
   readonly state: string;
@@ -40,7 +41,7 @@ function testSkills(): unknown {
 beforeAll(async () => {
   fixture = await openFixture();
   ({ page } = fixture);
-  page.setDefaultTimeout(20_000);
+  page.setDefaultTimeout(kPatience);
   await page.setViewportSize({ width: 1366, height: 768 });
   await page.emulateMedia({ reducedMotion: "reduce", colorScheme: "light" });
   await fixture.send("PUT", "/documents/test-skills", testSkills());
@@ -48,7 +49,6 @@ beforeAll(async () => {
 afterAll(() => fixture.close());
 
 const kPassword = "correct horse battery";
-const kSoon = { timeout: 30_000 };
 const stored = async (name: string) => ((await fixture.send("GET", `/documents/${name}`)) as Stored).document;
 const skill = (name: string, of = page) => of.locator(`[data-skill="T_${name}"]`);
 const task = (title: string, of = page) => of.getByRole("region", { name: `Task ${title}` });
@@ -470,7 +470,7 @@ describe("a pose that is taught in place", () => {
 describe("the buttons that move the arm", () => {
   it.each([[1366, 768], [2560, 1440]])("stay where they are, whatever comes by itself: %i x %i", async (width, height) => {
     const person = await (await fixture.openContext({ viewport: { width, height }, reducedMotion: "reduce" })).newPage();
-    person.setDefaultTimeout(20_000);
+    person.setDefaultTimeout(kPatience);
     await person.goto(`${fixture.url}/one/?edit=sort-parts`);
     await card("Move to", person).click();
     await panel(person).getByRole("button", { name: "Teach here" }).click();
@@ -488,7 +488,7 @@ describe("the buttons that move the arm", () => {
 
   it("leave the sign of a slow robot in sight when they are folded away, on a tablet", async () => {
     const tablet = await (await fixture.openContext({ viewport: { width: 820, height: 1180 }, hasTouch: true, reducedMotion: "reduce" })).newPage();
-    tablet.setDefaultTimeout(20_000);
+    tablet.setDefaultTimeout(kPatience);
     await tablet.goto(`${fixture.url}/one/?edit=sort-parts`);
     await tap(card("Move to", tablet));
     await tap(panel(tablet).getByRole("button", { name: "Teach here" }));
@@ -686,7 +686,7 @@ describe("a server with accounts", () => {
     try {
       others.allowError(/401/);
       const one = others.page;
-      one.setDefaultTimeout(20_000);
+      one.setDefaultTimeout(kPatience);
       await one.goto(`${others.url}/one/?edit=pick`);
       await one.getByLabel("Name", { exact: true }).fill("olga");
       await one.getByLabel("Password", { exact: true }).fill(kPassword);

@@ -1,13 +1,14 @@
 // Where the focus is on the novice page, the page of a phone and the expert page while dialogs, sheets and steps come and go: never nowhere.
 import { devices, type Locator, type Page } from "playwright-core";
 import { openFixture, type Fixture } from "./fixture";
+import { kPatience } from "./patience";
 
 let fixture: Fixture;
 let page: Page;
 beforeAll(async () => {
   fixture = await openFixture();
   ({ page } = fixture);
-  page.setDefaultTimeout(20_000);
+  page.setDefaultTimeout(kPatience);
   await page.emulateMedia({ reducedMotion: "reduce" });
   await page.setViewportSize({ width: 1366, height: 768 });
 });
@@ -81,7 +82,7 @@ describe("what lies over the tasks on a phone", () => {
   let phone: Page;
   beforeAll(async () => {
     phone = await (await fixture.openContext({ ...devices["Pixel 7"], reducedMotion: "reduce" })).newPage();
-    phone.setDefaultTimeout(20_000);
+    phone.setDefaultTimeout(kPatience);
     await phone.goto(`${fixture.url}/one/`);
     await phone.getByLabel("A new application").fill("focus");
     await phone.getByRole("button", { name: "Begin" }).click();

@@ -9,11 +9,11 @@ import { documentOf } from "../../web/shared/edit/tree";
 import { skillsOfService } from "../../web/shared/skills/serviceSkills";
 import { findings } from "./axe";
 import { openFixture, project, settled, type Fixture } from "./fixture";
+import { kSoon } from "./patience";
 
 const kKey = "my_gripper";
 /** What a page may take to show a service that the server has [ms]. */
 const kAtOnce = { timeout: 2000 };
-const kSoon = { timeout: 30_000 };
 const kProgram = readFileSync(join(project, "api/templates/gripper_python/gripper.py"), "utf8");
 /** With one operation more. */
 const kAnother = kProgram.replace("\n\nGripper().run()", '\n    @operation(reads=True, result="number")\n    def stroke(self):\n        return STROKE\n\n\nGripper().run()');

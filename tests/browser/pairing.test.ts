@@ -5,6 +5,7 @@ import { findings } from "./axe";
 import { tap } from "./fingers";
 import { binary, openPrepared, type Fixture } from "./fixture";
 import { readCode } from "./qrCode";
+import { kPatience } from "./patience";
 
 const kPassword = "correct horse battery";
 
@@ -21,7 +22,7 @@ const dialog = (page: Page) => page.getByRole("dialog", { name: "Pair a phone" }
 /** The expert page of an account, with the dialog by which it pairs a phone. */
 async function openDialog(name: string): Promise<Page> {
   const page = await (await fixture.openContext({ viewport: { width: 1366, height: 768 } })).newPage();
-  page.setDefaultTimeout(20_000);
+  page.setDefaultTimeout(kPatience);
   await page.goto(`${fixture.url}/pro/`);
   await page.getByLabel("Name", { exact: true }).fill(name);
   await page.getByLabel("Password", { exact: true }).fill(kPassword);
@@ -41,7 +42,7 @@ async function scan(page: Page): Promise<string> {
 
 async function phone(address: string): Promise<Page> {
   const page = await (await fixture.openContext({ ...devices["Pixel 7"] })).newPage();
-  page.setDefaultTimeout(20_000);
+  page.setDefaultTimeout(kPatience);
   await page.goto(address.replace("localhost", "127.0.0.1"));
   return page;
 }

@@ -2,6 +2,7 @@
 import type { Page } from "playwright-core";
 import { findings } from "./axe";
 import { openFixture, settled, type Fixture } from "./fixture";
+import { kPatience, kSoon } from "./patience";
 
 let fixture: Fixture;
 let page: Page;
@@ -9,12 +10,12 @@ let page: Page;
 beforeAll(async () => {
   fixture = await openFixture();
   page = fixture.page;
-  page.setDefaultTimeout(20_000);
+  page.setDefaultTimeout(kPatience);
   await page.setViewportSize({ width: 1366, height: 768 });
 });
 afterAll(() => fixture.close());
 
-const soon = (value: () => unknown) => expect.poll(value, { timeout: 20_000 });
+const soon = (value: () => unknown) => expect.poll(value, kSoon);
 
 interface CoreJson {
   readonly id: string;

@@ -6,8 +6,8 @@ import { expectStill, otherPerson, slowRobot, type Coming } from "./comes";
 import { tap } from "./fingers";
 import { openFixture, type Fixture } from "./fixture";
 import { holding, prepareToMove } from "./prepare";
+import { kPatience, kSoon } from "./patience";
 
-const kSoon = { timeout: 20_000 };
 /** Of what a page does that may lose the controls meanwhile. */
 const kHeld = { timeout: 8000 };
 /** A joint that turns by hand, slowly, does so by more than this between two poses [rad]. */
@@ -56,7 +56,7 @@ describe("a phone as teach pendant", () => {
   });
   beforeEach(async () => {
     page = await (await fixture.openContext({ ...devices["Pixel 7"] })).newPage();
-    page.setDefaultTimeout(20_000);
+    page.setDefaultTimeout(kPatience);
   });
   afterEach(async () => {
     await page.context().close();
@@ -217,7 +217,7 @@ describe("a phone as teach pendant", () => {
   ])("leaves the buttons that move the arm where they are, whatever comes by itself: %s", async (name, device) => {
     await page.context().close();
     page = await (await fixture.openContext({ ...device })).newPage();
-    page.setDefaultTimeout(20_000);
+    page.setDefaultTimeout(kPatience);
     // A page that is opened may take so long that this one loses the controls.
     const [slow, person] = [await slowRobot(fixture, page, "toAndFro"), await otherPerson(fixture, page)];
     await prepare("joints");

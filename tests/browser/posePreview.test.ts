@@ -2,6 +2,7 @@
 // cell (server/control), also on a machine without a GPU, such as that of these tests.
 import type { Page } from "playwright-core";
 import { openFixture, type Fixture } from "./fixture";
+import { kPatience } from "./patience";
 
 const kApplication = "show";
 /** What keeps the page from everything else, at most [ms]; it loses the controls after 250 ms of silence. */
@@ -15,7 +16,7 @@ let page: Page;
 /** A page that has made no view yet, with the step that moves selected. */
 async function openPage(): Promise<void> {
   page = await (await fixture.openContext({ viewport: { width: 1366, height: 900 } })).newPage();
-  page.setDefaultTimeout(20_000);
+  page.setDefaultTimeout(kPatience);
   await page.addInitScript(() => {
     const longTasks: PerformanceEntry[] = [];
     Object.assign(globalThis, { longTasks });

@@ -1,13 +1,14 @@
 // What is to be done before the robot is moved by hand in RACE-One, and afterwards: also again, as a machine that has much to do may keep a page from
 // its signs of life, which then loses the controls.
 import type { Locator, Page } from "playwright-core";
+import { kSoon } from "./patience";
 
 const kTries = 5;
 /** Until it is looked whether the page has lost the controls [ms]. */
 const kPatience = 8000;
 
 type Press = (on: Locator) => Promise<unknown>;
-const click: Press = (on) => on.click({ timeout: kPatience });
+const click: Press = (on) => on.click(kSoon);
 /** The page may have lost the controls, and the button with them. */
 const ifThere = async (on: Locator, press: Press): Promise<void> => void ((await on.count()) > 0 && (await press(on.first()).catch(() => undefined)));
 
@@ -35,7 +36,7 @@ export async function prepareToMove(page: Page, within: Page | Locator = page, p
   for (let tries = 1; (await before.count()) > 0; tries++)
     try {
       await ifThere(before.getByRole("button", { name: "Take the controls" }), press);
-      await page.getByText("You have the controls", { exact: true }).waitFor({ timeout: kPatience });
+      await page.getByText("You have the controls", { exact: true }).waitFor(kSoon);
       await ifThere(before.getByRole("button", { name: "Programming" }), press);
       await before.waitFor({ state: "detached", timeout: kPatience });
     } catch (error) {
@@ -49,7 +50,7 @@ export async function returnToExecution(page: Page, press = click): Promise<void
   for (let tries = 1; (await mode.count()) > 0; tries++)
     try {
       await ifThere(page.getByRole("button", { name: "Take the controls", exact: true }), press);
-      await page.getByText("You have the controls", { exact: true }).waitFor({ timeout: kPatience });
+      await page.getByText("You have the controls", { exact: true }).waitFor(kSoon);
       await press(mode.getByRole("button", { name: "Execution" }));
       await mode.waitFor({ state: "detached", timeout: kPatience });
     } catch (error) {

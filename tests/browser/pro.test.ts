@@ -8,6 +8,7 @@ import { activations, noteActivations } from "./activations";
 import { expectedCard, expectedLines, pickRow, proofCount, reachNode, reachProof, shownCard, shownLines, showStep, type RawNode, type RawStep } from "./proofText";
 import { binary, openFixture, type Fixture } from "./fixture";
 import { letMove } from "./hands";
+import { kSoon } from "./patience";
 
 let fixture: Fixture;
 let page: Page;
@@ -60,7 +61,7 @@ describe("RACE Pro", () => {
     await load();
     await noteActivations(page);
     await page.getByRole("button", { name: "Start" }).click();
-    await expect.poll(() => activations(page), { timeout: 20_000 }).toContain("Pick/Approach");
+    await expect.poll(() => activations(page), kSoon).toContain("Pick/Approach");
     await fixture.screenshot("running");
     await ended();
     await expect.poll(() => status().innerText()).toContain("Ended: success");
@@ -126,7 +127,7 @@ describe("RACE Pro", () => {
     const why = page.getByRole("region", { name: "Why" });
     await expect.poll(() => why.locator("[data-blocks=true] code").allInnerTexts()).toEqual(["svc.gripper.release.result"]);
     await page.getByRole("button", { name: "Macro step" }).click();
-    await expect.poll(() => page.getByRole("treeitem", { name: "Pick/GetPose", exact: true }).getAttribute("data-active"), { timeout: 20_000 }).toBe("true");
+    await expect.poll(() => page.getByRole("treeitem", { name: "Pick/GetPose", exact: true }).getAttribute("data-active"), kSoon).toBe("true");
   });
 
   it("runs until a state is entered, and stops on demand", async () => {
@@ -185,7 +186,7 @@ describe("RACE Pro", () => {
 
   it("shows the cell in 3D", async () => {
     await page.getByRole("tab", { name: "Cell" }).click();
-    await expect.poll(() => page.locator(".cell-clock").innerText(), { timeout: 20_000 }).toMatch(/cell time \d/);
+    await expect.poll(() => page.locator(".cell-clock").innerText(), kSoon).toMatch(/cell time \d/);
     await fixture.screenshot("cell");
   });
 
@@ -210,7 +211,7 @@ describe("RACE Pro", () => {
     await expect.poll(() => page.getByText("Connection lost").isVisible()).toBe(true);
     await fixture.screenshot("gone");
     await fixture.restart();
-    await expect.poll(() => page.getByText("Connected").isVisible(), { timeout: 20_000 }).toBe(true);
+    await expect.poll(() => page.getByText("Connected").isVisible(), kSoon).toBe(true);
     // The run that it watched was not over: it is there again.
     await expect.poll(() => page.getByRole("combobox", { name: "Watched run" }).inputValue()).not.toBe("");
     await load();

@@ -2,16 +2,17 @@
 import { findings } from "./axe";
 import { editPage, kTask } from "./editPage";
 import { openFixture, type Fixture } from "./fixture";
+import { kPatience, kSoon } from "./patience";
 
 let fixture: Fixture;
 beforeAll(async () => {
   fixture = await openFixture();
-  fixture.page.setDefaultTimeout(20_000);
+  fixture.page.setDefaultTimeout(kPatience);
   await fixture.page.setViewportSize({ width: 1366, height: 768 });
 });
 afterAll(() => fixture.close());
 
-const soon = (value: () => unknown) => expect.poll(value, { timeout: 20_000 });
+const soon = (value: () => unknown) => expect.poll(value, kSoon);
 const query = (key: string) => new URL(fixture.page.url()).searchParams.get(key);
 const panel = () => fixture.page.getByRole("dialog", { name: "Proposals" });
 const count = () => fixture.page.getByRole("banner").locator(".proposals-button");

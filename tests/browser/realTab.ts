@@ -1,8 +1,6 @@
 // A page in a tab of its own window, as a person opens it. Playwright's own pages take part in no hiding: it emulates their focus.
 import type { Browser, CDPSession } from "playwright-core";
-
-/** [ms] */
-const kPatience = 20_000;
+import { kPatience } from "./patience";
 
 interface Answer {
   readonly id: number;

@@ -5,6 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { find, view, type Place, type Region } from "./pointer";
 import { binary, demo, openFixture, type Fixture } from "./fixture";
+import { kSoon } from "./patience";
 
 let fixture: Fixture;
 let process: ChildProcess | undefined;
@@ -38,7 +39,6 @@ afterAll(async () => {
   rmSync(crated, { recursive: true, force: true });
 });
 
-const kSoon = { timeout: 45_000 };
 const kTable: Region = [0.42, 0.68, 0.56, 0.78];
 const kCrate: Region = [0.48, 0.54, 0.6, 0.75];
 /** Where a part of the demo is [px]. */

@@ -3,6 +3,7 @@ import { devices, type Page } from "playwright-core";
 import { findings } from "./axe";
 import { tap } from "./fingers";
 import { openFixture, type Fixture } from "./fixture";
+import { kPatience, kSoon } from "./patience";
 
 interface StateJson {
   readonly state: string;
@@ -11,7 +12,6 @@ interface StateJson {
   readonly ports?: readonly { readonly name: string; readonly when?: string }[];
 }
 
-const kSoon = { timeout: 30_000 };
 const kApplication = "fill";
 
 let fixture: Fixture;
@@ -19,7 +19,7 @@ let page: Page;
 beforeAll(async () => {
   fixture = await openFixture();
   page = await (await fixture.openContext({ viewport: { width: 1366, height: 900 }, reducedMotion: "reduce", colorScheme: "light" })).newPage();
-  page.setDefaultTimeout(30_000);
+  page.setDefaultTimeout(kPatience);
   await fixture.send("PUT", `/documents/${kApplication}`, { rcm: 1, name: kApplication, root: { state: "Application", meta: { id: "root" } } });
   await page.goto(`${fixture.url}/one/?edit=${kApplication}`);
   await page.getByLabel("Name of the task").fill("Fill a box");

@@ -3,6 +3,7 @@ import type { Page } from "playwright-core";
 import { findings } from "./axe";
 import { editPage } from "./editPage";
 import { openFixture, settled, textOf, type Fixture } from "./fixture";
+import { kPatience, kSoon } from "./patience";
 
 let fixture: Fixture;
 let page: Page;
@@ -10,12 +11,12 @@ let page: Page;
 beforeAll(async () => {
   fixture = await openFixture();
   page = fixture.page;
-  page.setDefaultTimeout(20_000);
+  page.setDefaultTimeout(kPatience);
   await page.setViewportSize({ width: 1366, height: 768 });
 });
 afterAll(() => fixture.close());
 
-const soon = (value: () => unknown) => expect.poll(value, { timeout: 20_000 });
+const soon = (value: () => unknown) => expect.poll(value, kSoon);
 
 interface CoreJson {
   readonly id: string;
@@ -189,7 +190,7 @@ describe("a run of yesterday", () => {
     const text = await (await fetch(`${fixture.url}/api/v1/runs/${picked.id}/export`)).text();
     const other = await openFixture();
     try {
-      other.page.setDefaultTimeout(20_000);
+      other.page.setDefaultTimeout(kPatience);
       await other.page.goto(`${other.url}/pro/`);
       await other.page.getByRole("region", { name: "Start" }).waitFor();
       await dropOnto(other.page, text);

@@ -5,6 +5,7 @@ import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { findings } from "./axe";
 import { demo, openFixture, type Fixture } from "./fixture";
+import { kPatience, kSoon } from "./patience";
 
 interface StateJson {
   readonly state: string;
@@ -13,7 +14,6 @@ interface StateJson {
   readonly children?: readonly StateJson[];
 }
 
-const kSoon = { timeout: 30_000 };
 const kApplication = "sorting";
 /** What stands on the table of the demo; the tool of the arm is a part, too, and may be seen. */
 const kParts = ["Bar", "Block", "Box", "Cube", "Tape"];
@@ -25,7 +25,7 @@ beforeAll(async () => {
   cpSync(demo, cell, { recursive: true, filter: (path) => !/(?:demonstrator|pick)\.rcm\.json$/.test(path) });
   fixture = await openFixture("--demo", cell);
   page = await (await fixture.openContext({ viewport: { width: 1366, height: 900 }, reducedMotion: "reduce", colorScheme: "light" })).newPage();
-  page.setDefaultTimeout(30_000);
+  page.setDefaultTimeout(kPatience);
   const one = {
     state: "FindOne", doc: "Finds one part.", ports: [{ name: "success", when: "True" }], meta: { skill: true, title: "Find one", category: "vision" },
     parameters: [{ name: "label", value: "", type: "string", doc: "Which part.", meta: { domain: "label", title: "Part" } }],

@@ -4,6 +4,7 @@ import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { openFixture, project, settled, type Fixture } from "./fixture";
+import { kSoon } from "./patience";
 
 const kKeeps = process.env["RACE_KEEP_LAYOUTS"] === "1";
 const kFile = join(project, "web/pro/canvas/shippedLayouts.json");
@@ -39,7 +40,7 @@ const kept = (page: Page): Promise<Kept> =>
 
 async function visit(page: Page, address: string): Promise<void> {
   await page.goto(`${fixture.url}${address}`);
-  if (address === "/pro/") await page.locator(".start-picture svg").nth(2).waitFor({ timeout: 30_000 });
+  if (address === "/pro/") await page.locator(".start-picture svg").nth(2).waitFor(kSoon);
   else await settled(page);
 }
 

@@ -5,6 +5,7 @@ import { join } from "node:path";
 import type { Locator, Page } from "playwright-core";
 import { findings } from "./axe";
 import { demo, openFixture, type Fixture } from "./fixture";
+import { kPatience } from "./patience";
 
 type Json = null | boolean | number | string | readonly Json[] | { readonly [key: string]: Json };
 interface ParameterJson {
@@ -37,14 +38,14 @@ const kSkills = skillsOf(JSON.parse(readFileSync(join(demo, "skills.rcm.json"), 
 const kApplication = "all-skills";
 /** What a finger needs [px]; a pixel of the screen may be cut. */
 const kTarget = 43.5;
-const kSoon = { interval: 25, timeout: 30_000 };
+const kSoon = { interval: 25, timeout: kPatience };
 
 let fixture: Fixture;
 let page: Page;
 beforeAll(async () => {
   fixture = await openFixture();
   ({ page } = fixture);
-  page.setDefaultTimeout(30_000);
+  page.setDefaultTimeout(kPatience);
   await page.setViewportSize({ width: 1366, height: 900 });
   await page.emulateMedia({ reducedMotion: "reduce", colorScheme: "light" });
   await fixture.send("PUT", `/documents/${kApplication}`, { rcm: 1, name: kApplication, root: { state: "Application", meta: { id: "root" } } });

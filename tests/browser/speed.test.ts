@@ -5,6 +5,7 @@ import { findings } from "./axe";
 import { tap } from "./fingers";
 import { openFixture, type Fixture } from "./fixture";
 import { holding } from "./prepare";
+import { kPatience, kSoon } from "./patience";
 
 let fixture: Fixture;
 let arm: Arm;
@@ -22,7 +23,7 @@ beforeAll(async () => {
   phone = await (await fixture.openContext({ ...devices["Pixel 7"], reducedMotion: "reduce" })).newPage();
   one = await (await fixture.openContext({ viewport: { width: 1024, height: 768 }, reducedMotion: "reduce" })).newPage();
   pro = fixture.page;
-  for (const page of [phone, one, pro]) page.setDefaultTimeout(20_000);
+  for (const page of [phone, one, pro]) page.setDefaultTimeout(kPatience);
   await phone.goto(`${fixture.url}/display/?name=phone1#run`);
   await one.goto(`${fixture.url}/one/?edit=toAndFro#run`);
   await pro.goto(`${fixture.url}/pro/`);
@@ -33,7 +34,6 @@ afterAll(async () => {
   await fixture.close();
 });
 
-const kSoon = { timeout: 20_000 };
 const moves = (wanted: boolean) => expect.poll(arm.moves, kSoon).toBe(wanted);
 const sign = (of: Page) => of.getByRole("region", { name: "Controls of the cell" }).locator(".speed-sign > p");
 const slider = (of: Page) => of.getByRole("slider", { name: "Robot speed" });

@@ -3,16 +3,16 @@ import type { Page } from "playwright-core";
 import { findings } from "./axe";
 import { readCode } from "./qrCode";
 import { openFixture, settled, type Fixture } from "./fixture";
+import { kPatience, kSoon } from "./patience";
 
 let fixture: Fixture;
 beforeAll(async () => {
   fixture = await openFixture();
-  fixture.page.setDefaultTimeout(20_000);
+  fixture.page.setDefaultTimeout(kPatience);
   await fixture.page.emulateMedia({ reducedMotion: "reduce" });
 });
 afterAll(() => fixture.close());
 
-const kSoon = { timeout: 20_000 };
 const card = (name: string) => fixture.page.getByRole("list", { name: "Tasks" }).getByRole("listitem", { name, exact: true });
 const watched = () => fixture.page.getByRole("combobox", { name: "Watched run" });
 
@@ -79,7 +79,7 @@ describe("the page without a run", () => {
     ["a phone", "/display/?name=phone1#run", (on: Page) => on.getByRole("button", { name: "Start waiting" })],
   ] as const)("makes one run by a double click in %s, of a server that is fast or late", async (_name, path, startOf) => {
     const page = await (await fixture.openContext({ viewport: { width: 1366, height: 768 }, reducedMotion: "reduce" })).newPage();
-    page.setDefaultTimeout(20_000);
+    page.setDefaultTimeout(kPatience);
     const runs = async () => ((await fixture.send("GET", "/cores")) as { readonly cores: readonly { readonly id: string; readonly status: string; readonly paused: boolean }[] }).cores;
     for (const late of [0, 700]) {
       await page.unrouteAll({ behavior: "wait" });

@@ -5,8 +5,8 @@ import { watchArm, type Arm } from "./arm";
 import { findings } from "./axe";
 import { tap } from "./fingers";
 import { binary, openFixture, openPrepared, settled, type Fixture } from "./fixture";
+import { kPatience, kSoon } from "./patience";
 
-const kSoon = { timeout: 20_000 };
 const kPassword = "correct horse battery";
 
 const stopButton = (page: Page) => page.getByRole("button", { name: "STOP", exact: true });
@@ -44,7 +44,7 @@ describe("a server without accounts", () => {
   beforeAll(async () => {
     fixture = await openFixture();
     ({ page } = fixture);
-    page.setDefaultTimeout(20_000);
+    page.setDefaultTimeout(kPatience);
     // That requests are looked at is told to a page beside its keys: what comes first is not sure. So they are from the beginning.
     await page.route("**/a path that nobody asks for", (route) => route.continue());
     arm = watchArm(fixture.url);
@@ -301,7 +301,7 @@ describe("a server without accounts", () => {
 
   it("is stopped from a phone, where the button is a bar that covers nothing", async () => {
     const phone = await (await fixture.openContext({ ...devices["Pixel 7"] })).newPage();
-    phone.setDefaultTimeout(20_000);
+    phone.setDefaultTimeout(kPatience);
     const id = await start(phone);
     expect((await stopButton(phone).boundingBox())?.height).toBeGreaterThanOrEqual(64);
     await fixture.screenshot("stop-phone", phone);
@@ -351,7 +351,7 @@ describe("a server without accounts", () => {
 
   it("is stopped from a display by one tap, and reset there", async () => {
     const phone = await (await fixture.openContext({ ...devices["Pixel 7"] })).newPage();
-    phone.setDefaultTimeout(20_000);
+    phone.setDefaultTimeout(kPatience);
     await phone.goto(`${fixture.url}/display/?name=phone`);
     await phone.getByText("Connected", { exact: true }).waitFor();
     const id = await start();
@@ -386,7 +386,7 @@ describe("a server with accounts", () => {
   const stopped = async () => ((await fixture.send("GET", "/control")) as Control).stopped !== null;
   async function open(path: string, phone = false): Promise<Page> {
     const page = await (await fixture.openContext(phone ? { ...devices["Pixel 7"] } : { viewport: { width: 1366, height: 768 } })).newPage();
-    page.setDefaultTimeout(20_000);
+    page.setDefaultTimeout(kPatience);
     await page.goto(`${fixture.url}${path}`);
     return page;
   }

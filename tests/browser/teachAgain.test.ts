@@ -2,6 +2,7 @@
 import type { Locator, Page } from "playwright-core";
 import { openFixture, type Fixture } from "./fixture";
 import { prepareToMove } from "./prepare";
+import { kPatience } from "./patience";
 
 /** [m] */
 const kRaised = 0.005;
@@ -11,7 +12,7 @@ let page: Page;
 beforeAll(async () => {
   fixture = await openFixture();
   page = await (await fixture.openContext({ viewport: { width: 1366, height: 768 }, reducedMotion: "reduce", colorScheme: "light" })).newPage();
-  page.setDefaultTimeout(20_000);
+  page.setDefaultTimeout(kPatience);
   await fixture.send("PUT", "/documents/shelf", { rcm: 1, name: "shelf", root: { state: "Application", meta: { id: "root" } } });
   await page.goto(`${fixture.url}/one/?edit=shelf`);
   await page.getByLabel("Name of the task").fill("Go to the shelf");

@@ -5,6 +5,7 @@ import { largeDocument } from "../bench/pages/large_document.mjs";
 import { findings } from "./axe";
 import { kTask, write } from "./editPage";
 import { openFixture, settled, type Fixture } from "./fixture";
+import { kPatience, kSoon } from "./patience";
 
 let fixture: Fixture;
 let ada: Page;
@@ -24,7 +25,7 @@ async function nameSelf(page: Page, name: string): Promise<void> {
 /** Opens the document in a browser of its own, as this person. */
 async function enter(name: string, as: string, size = { width: 1366, height: 768 }): Promise<Page> {
   const page = await fixture.openPage(size);
-  page.setDefaultTimeout(30_000);
+  page.setDefaultTimeout(kPatience);
   await page.goto(`${fixture.url}/pro/?edit=${name}`);
   await settled(page);
   await nameSelf(page, as);
@@ -235,7 +236,7 @@ describe("two people at one document", () => {
     await face(bob, "Ada").waitFor();
     const session = await ada.context().newCDPSession(ada);
     void session.send("Page.crash").catch(() => undefined);
-    await expect.poll(() => face(bob, "Ada").count(), { timeout: 20_000 }).toBe(0);
+    await expect.poll(() => face(bob, "Ada").count(), kSoon).toBe(0);
   });
 
   it("find each other again after the server was lost", async () => {

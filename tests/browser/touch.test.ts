@@ -3,6 +3,7 @@ import { devices, type CDPSession, type Page } from "playwright-core";
 import { tap } from "./fingers";
 import { find, view, type Place, type Region } from "./pointer";
 import { openFixture, type Fixture } from "./fixture";
+import { kSoon } from "./patience";
 
 let fixture: Fixture;
 let phone: Page;
@@ -15,12 +16,11 @@ beforeAll(async () => {
   fingers = await context.newCDPSession(phone);
   await phone.goto(`${fixture.url}/pro/`);
   await tap(phone.getByRole("tab", { name: "Cell" }));
-  await view(phone).waitFor({ timeout: 45_000 });
+  await view(phone).waitFor(kSoon);
   await tap(button("Pull"));
 });
 afterAll(() => fixture.close());
 
-const kSoon = { timeout: 20_000 };
 const button = (name: string) => phone.getByRole("button", { name, exact: true });
 const menu = () => phone.getByRole("menuitem", { name: /^Take away/ });
 

@@ -4,9 +4,9 @@ import { networkInterfaces } from "node:os";
 import type { BrowserContextOptions, Page } from "playwright-core";
 import { findings } from "./axe";
 import { binary, freePort, openFixture, openPrepared, type Fixture } from "./fixture";
+import { kPatience, kSoon } from "./patience";
 
 const kPassword = "correct horse battery";
-const kSoon = { timeout: 20_000 };
 const kPhone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, userAgent: "Mozilla/5.0 (Linux; Android 14; Pixel 8) AppleWebKit/537.36 (KHTML, like Gecko) Chrome/130.0.0.0 Mobile Safari/537.36" };
 const kPrivate = /^(?:10\.|192\.168\.|172\.(?:1[6-9]|2\d|3[01])\.|f[cd])/;
 
@@ -25,7 +25,7 @@ describe("a server without a network", () => {
   let fixture: Fixture;
   beforeAll(async () => {
     fixture = await openFixture();
-    fixture.page.setDefaultTimeout(20_000);
+    fixture.page.setDefaultTimeout(kPatience);
   });
   afterAll(() => fixture.close());
 
@@ -69,7 +69,7 @@ describe.skipIf(host === undefined)("a server that a network reaches", () => {
 
   async function open(options: BrowserContextOptions, path: string, at = lan): Promise<Page> {
     const page = await (await fixture.openContext({ ...options, ignoreHTTPSErrors: true })).newPage();
-    page.setDefaultTimeout(20_000);
+    page.setDefaultTimeout(kPatience);
     await page.goto(`${at}${path}`);
     return page;
   }

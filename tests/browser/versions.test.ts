@@ -2,16 +2,17 @@
 import { findings } from "./axe";
 import { editPage } from "./editPage";
 import { openFixture, settled, type Fixture } from "./fixture";
+import { kPatience, kSoon } from "./patience";
 
 let fixture: Fixture;
 beforeAll(async () => {
   fixture = await openFixture();
-  fixture.page.setDefaultTimeout(20_000);
+  fixture.page.setDefaultTimeout(kPatience);
   await fixture.page.setViewportSize({ width: 1366, height: 768 });
 });
 afterAll(() => fixture.close());
 
-const soon = (value: () => unknown) => expect.poll(value, { timeout: 20_000 });
+const soon = (value: () => unknown) => expect.poll(value, kSoon);
 const panel = () => fixture.page.getByRole("region", { name: "History" });
 const row = (number: string) => panel().locator(".revision-row").filter({ has: fixture.page.locator(`b:text-is("${number}")`) });
 const changes = () => panel().getByRole("list", { name: "Changes" }).getByRole("button").allInnerTexts();

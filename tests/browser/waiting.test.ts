@@ -1,6 +1,7 @@
 // What the expert page shows while a task waits: a barrier that lacks a port, a pending call, and the log.
 import { findings } from "./axe";
 import { openFixture, settled, type Fixture } from "./fixture";
+import { kSoon } from "./patience";
 
 let fixture: Fixture;
 
@@ -10,7 +11,6 @@ beforeAll(async () => {
 });
 afterAll(() => fixture.close());
 
-const kSoon = { timeout: 20_000 };
 
 async function post(path: string, body?: unknown, method = "POST"): Promise<{ readonly id: string }> {
   const answer = await fetch(`${fixture.url}/api/v1${path}`, { method, body: body === undefined ? null : JSON.stringify(body), headers: { "content-type": "application/json" } });
